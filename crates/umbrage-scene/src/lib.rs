@@ -1,0 +1,24 @@
+//! Scenes for shadow work: what is in a world, and where it comes from.
+//!
+//! A [`Scene`] is plain data: meshes cut into parts, instances that place them, materials, cameras, lights, and a
+//! camera path. It comes from a file ([`load`]: `.glb`, `.gltf`, `.obj`), or is one of the built-in [`worlds`], and can
+//! be written back as a `.glb` ([`export`]).
+//!
+//! World space is right-handed, in metres, with Y up. Matrices are named `target_from_source`.
+//!
+//! This crate does not: touch a GPU, know a shadow map, cull, or decide what a picture looks like. Cameras and lights
+//! are descriptions as a glTF file has them; whoever draws or traces a scene makes their own matrices from them.
+
+mod bounds;
+mod camera;
+mod light;
+mod material;
+mod mesh;
+mod scene;
+
+pub use bounds::Aabb;
+pub use camera::{Camera, CameraPath, Lens, PathKey};
+pub use light::{Light, LightKind};
+pub use material::{Material, Texture};
+pub use mesh::{Mesh, Part, Primitive};
+pub use scene::{Instance, Motion, Scene};

@@ -1,0 +1,126 @@
+//! Triangle meshes, and the parts they are cut into.
+//!
+//! Large meshes are what makes every cascade draw everything, so a mesh is cut on import into parts of at most
+//! [`Part::MAX_TRIANGLES`] triangles with tight boxes. The unit that is culled and drawn is (instance, part).
+
+use std::ops::Range;
+
+use glam::{Vec2, Vec3};
+
+use crate::Aabb;
+
+/// A shape in its own space: vertices as one array per attribute, all of equal length, and triangles sorted by part.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// What the file or the world calls it.
+    pub name: String,
+    /// Corners, in mesh space.
+    pub positions: Vec<Vec3>,
+    /// Unit normals, in mesh space.
+    pub normals: Vec<Vec3>,
+    /// Texture coordinates, v down.
+    pub uvs: Vec<Vec2>,
+    /// Three a triangle, counter-clockwise seen from outside; all in range.
+    pub indices: Vec<u32>,
+    /// The pieces; their ranges follow each other and cover `indices`.
+    pub parts: Vec<Part>,
+    /// The box around all triangles, in mesh space.
+    pub bounds: Aabb,
+}
+
+/// A piece of a mesh: neighbouring triangles of one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Which of the mesh's `indices` it draws; a multiple of three.
+    pub indices: Range<u32>,
+    /// Index into [`crate::Scene::materials`].
+    pub material: usize,
+    /// The box around its triangles, in mesh space.
+    pub bounds: Aabb,
+}
+
+/// Triangles of one material, before they are cut into parts.
+#[derive(Clone, Debug, Default)]
+pub struct Primitive {
+    /// Corners, in mesh space.
+    pub positions: Vec<Vec3>,
+    /// Unit normals, as many as positions.
+    pub normals: Vec<Vec3>,
+    /// Texture coordinates, as many as positions.
+    pub uvs: Vec<Vec2>,
+    /// Three a triangle, all in range.
+    pub indices: Vec<u32>,
+    /// Index into [`crate::Scene::materials`].
+    pub material: usize,
+}
+
+impl Part {
+    /// Enough to keep draws few, few enough to keep boxes tight.
+    pub const MAX_TRIANGLES: usize = 2048;
+}
+
+impl Mesh {
+    /// Joins primitives into one mesh and cuts it into parts. The same triangles in the same order always give the
+    /// same parts, and cutting a mesh that was cut before changes nothing.
+    pub fn new(name: &str, primitives: &[Primitive]) -> Self {
+        let mut mesh = Self {
+            name: name.to_owned(),
+            positions: Vec::new(),
+            normals: Vec::new(),
+            uvs: Vec::new(),
+            indices: Vec::new(),
+            parts: Vec::new(),
+            bounds: Aabb::EMPTY,
+        };
+        for primitive in primitives {
+            let base = mesh.positions.len() as u32;
+            mesh.positions.extend(&primitive.positions);
+            mesh.normals.extend(&primitive.normals);
+            mesh.uvs.extend(&primitive.uvs);
+            let triangles = primitive.indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.map(|i| base + i)).collect();
+            mesh.cut(triangles, primitive.material);
+        }
+        mesh
+    }
+
+    /// How many triangles.
+    pub fn triangles(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// Splits at the median centroid along the longest axis until the pieces are small; order inside a piece is kept.
+    fn cut(&mut self, triangles: Vec<[u32; 3]>, material: usize) {
+        if triangles.is_empty() {
+            return;
+        }
+        let corners = |t: &[u32; 3]| t.map(|i| self.positions[i as usize]);
+        if triangles.len() <= Part::MAX_TRIANGLES {
+            let bounds = Aabb::of_points(triangles.iter().flat_map(corners));
+            let start = self.indices.len() as u32;
+            self.indices.extend(triangles.iter().flatten());
+            self.parts.push(Part { indices: start..self.indices.len() as u32, material, bounds });
+            self.bounds = self.bounds.union(bounds);
+            return;
+        }
+        let centroid = |t: &[u32; 3]| corners(t).iter().sum::<Vec3>() / 3.0;
+        let extent = Aabb::of_points(triangles.iter().map(centroid)).size();
+        let axis = if extent.x >= extent.y && extent.x >= extent.z {
+            0
+        } else if extent.y >= extent.z {
+            1
+        } else {
+            2
+        };
+        // Ranks instead of values, so that many equal centroids still split in half.
+        let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
+        let key = |i: &u32| centroid(&triangles[*i as usize])[axis];
+        order.sort_by(|a, b| key(a).total_cmp(&key(b)));
+        let (low, high) = order.split_at_mut(triangles.len() / 2);
+        low.sort_unstable();
+        high.sort_unstable();
+        let pick = |half: &[u32]| half.iter().map(|&i| triangles[i as usize]).collect::<Vec<_>>();
+        let (low, high) = (pick(low), pick(high));
+        self.cut(low, material);
+        self.cut(high, material);
+    }
+}
