@@ -1,1 +1,50 @@
-//! .
+//! The maths of real-time shadows for large worlds: pure functions, no GPU.
+//!
+//! A shadow technique is a plan. A plan is a list of shadow views. A shadow view is a matrix, a tile and a share of the
+//! scene. [`plan()`] makes them from a [`Camera`], some [`Light`]s, the [`Bounds`] of the world and [`Settings`]:
+//! it cuts the camera's depth range into splits ([`split_distances`]), fits a light-space box to each ([`Fit`]), and says
+//! which casters can shadow it ([`ConvexVolume`]).
+//!
+//! Conventions: world space is right-handed, metres, Y up. View space looks down −Z; *view depth* is the positive
+//! distance from the eye along the view direction. NDC is x, y in −1…1 with y up and z in 0…1; texture v points down.
+//! The camera's depth is reversed (1 near, 0 far), shadow maps are forward (0 near). Matrices are named
+//! `target_from_source` and multiply column vectors. Visibility is 1 for lit and 0 for shadowed.
+//!
+//! This crate does not: draw, allocate textures, know a shading language, load scenes, or choose your light.
+
+mod bias;
+mod bounds;
+mod camera;
+mod convex;
+mod cull;
+mod error;
+mod few;
+mod fit;
+mod frustum;
+mod light;
+mod plan;
+mod presets;
+mod settings;
+mod split;
+mod stabilise;
+mod view;
+
+pub use bias::{BiasMetres, bias_metres, kernel_half_width_texels};
+pub use bounds::{Aabb, Bounds};
+pub use camera::{Camera, Projection};
+pub use convex::ConvexBody;
+pub use cull::ConvexVolume;
+pub use error::{CameraError, LightError, PlanError, SettingsError};
+pub use few::Few;
+pub use fit::LightSpace;
+pub use frustum::Plane;
+pub use light::Light;
+pub use plan::{ShadowPlan, plan};
+pub use presets::{PRESETS, Preset};
+pub use settings::{
+    Bias, CasterFaces, DepthFormat, Filter, Fit, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
+    Storage,
+};
+pub use split::split_distances;
+pub use stabilise::{Sphere, bounding_sphere, quantise_up, snap};
+pub use view::{MapLayout, ShadowView, Tile};

@@ -1,0 +1,60 @@
+//! What the planner needs to know of a world: the box around it, and the boxes of what is in it.
+
+use glam::{DVec3, Vec3};
+
+/// An axis-aligned box in world space, metres. Empty when any `min` exceeds its `max`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The smallest coordinates inside.
+    pub min: Vec3,
+    /// The largest coordinates inside.
+    pub max: Vec3,
+}
+
+/// A world, seen from a planner.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    /// Everything that casts or receives lies in here.
+    pub world: Aabb,
+    /// Boxes of the things in the world, for scene-dependent fits. May be empty: then `world` stands for all of them.
+    pub objects: Vec<Aabb>,
+}
+
+impl Bounds {
+    /// A world of which only the outer box is known.
+    pub fn of_world(min: Vec3, max: Vec3) -> Self {
+        Self { world: Aabb { min, max }, objects: Vec::new() }
+    }
+}
+
+impl Aabb {
+    /// The box that holds nothing.
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+
+    /// The smallest box that holds both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Whether nothing is inside.
+    pub fn is_empty(self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
+    /// The eight corners, x fastest.
+    pub fn corners(self) -> [Vec3; 8] {
+        std::array::from_fn(|i| {
+            let pick = |bit: usize, low: f32, high: f32| if i >> bit & 1 == 0 { low } else { high };
+            Vec3::new(
+                pick(0, self.min.x, self.max.x),
+                pick(1, self.min.y, self.max.y),
+                pick(2, self.min.z, self.max.z),
+            )
+        })
+    }
+
+    pub(crate) fn corners_f64(self) -> [DVec3; 8] {
+        self.corners().map(Vec3::as_dvec3)
+    }
+}

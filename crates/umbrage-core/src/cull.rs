@@ -1,0 +1,172 @@
+//! Who can shadow a view's receivers: the receivers' body swept toward the light.
+//!
+//! The sweep of a convex body along a direction is bounded by the body's faces that look away from where it goes, and
+//! by planes along that direction through its outline. The outline is the convex hull of the corners seen from the light.
+
+use glam::{DVec2, DVec3, Vec3};
+
+use crate::bounds::Aabb;
+use crate::convex::ConvexBody;
+use crate::few::Few;
+use crate::fit::LightSpace;
+use crate::frustum::{Plane, PlaneF64};
+
+/// A clipped slice has at most 12 faces and 20 corners.
+const MAX_PLANES: usize = 32;
+/// Corners considered for an outline, shared ones counted once.
+const MAX_OUTLINE: usize = 48;
+/// Planes are moved outward by this share of the body's size: f32 rounding must not lose a caster.
+const MARGIN: f64 = 1e-6;
+
+/// An intersection of half-spaces in world space: who may cast into a view. No planes is everything, and
+/// [`ConvexVolume::EMPTY`] is nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ConvexVolume {
+    planes: Few<Plane, MAX_PLANES>,
+    empty: bool,
+}
+
+impl ConvexVolume {
+    /// The volume that nothing touches.
+    pub fn empty() -> Self {
+        Self { planes: Few::default(), empty: true }
+    }
+
+    /// The inside of a clip matrix with depth 0…1.
+    pub fn of_clip(clip_from_world: &glam::Mat4) -> Self {
+        let mut volume = Self::default();
+        Plane::of_clip(clip_from_world).for_each(|plane| volume.add(plane));
+        volume
+    }
+
+    /// Its half-spaces, inward.
+    pub fn planes(&self) -> &[Plane] {
+        &self.planes
+    }
+
+    /// Whether it is known to hold nothing.
+    pub fn is_empty(&self) -> bool {
+        self.empty
+    }
+
+    /// Whether a point lies inside.
+    pub fn contains(&self, point: Vec3) -> bool {
+        !self.empty && self.planes.iter().all(|plane| plane.signed_distance(point) >= 0.0)
+    }
+
+    /// Whether a box may touch it. Never wrong when it says no.
+    pub fn may_touch(&self, min: Vec3, max: Vec3) -> bool {
+        !self.empty
+            && self.planes.iter().all(|plane| {
+                let farthest_in = Vec3::select(plane.normal.cmpge(Vec3::ZERO), max, min);
+                plane.signed_distance(farthest_in) >= 0.0
+            })
+    }
+
+    /// Whether a box may touch it.
+    pub fn may_touch_box(&self, aabb: &Aabb) -> bool {
+        self.may_touch(aabb.min, aabb.max)
+    }
+
+    /// A list that is full drops the plane: the volume stays safe, only larger.
+    fn add(&mut self, plane: Plane) {
+        let _full = !self.planes.push(plane);
+    }
+
+    /// Everything between `receivers` and the light, `receivers` included.
+    pub(crate) fn swept_to_light(receivers: &ConvexBody, light: &LightSpace) -> Self {
+        if receivers.is_empty() {
+            return Self::empty();
+        }
+        let size = receivers.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        let margin = MARGIN * size.max(1.0);
+        let mut volume = Self::default();
+        for plane in receivers.planes().filter(|plane| plane.normal.dot(light.along) < -1e-6) {
+            volume.add(plane.widened(margin));
+        }
+        let outline = outline(receivers.corners().map(|p| light.to_light(p).truncate()), margin);
+        for (i, &a) in outline.iter().enumerate() {
+            let edge = outline[(i + 1) % outline.len()] - a;
+            // The hull runs counter-clockwise, so inside is to the left of each edge.
+            let Some(left) = edge.perp().try_normalize() else { continue };
+            let normal = light.right * left.x + light.up * left.y;
+            let through = light.right * a.x + light.up * a.y;
+            volume.add(PlaneF64::through(through, normal).widened(margin));
+        }
+        volume
+    }
+
+    /// Everything over the rectangle `min`…`max` of light space, from infinitely near the light to depth `far`.
+    pub(crate) fn over_rectangle(min: DVec2, max: DVec2, far: f64, light: &LightSpace) -> Self {
+        let margin = MARGIN * min.abs().max(max.abs()).max_element().max(far.abs()).max(1.0);
+        let mut volume = Self::default();
+        let axes: [(DVec3, f64, f64); 2] = [(light.right, min.x, max.x), (light.up, min.y, max.y)];
+        for (axis, low, high) in axes {
+            volume.add(PlaneF64 { normal: axis, distance: -low }.widened(margin));
+            volume.add(PlaneF64 { normal: -axis, distance: high }.widened(margin));
+        }
+        volume.add(PlaneF64 { normal: -light.along, distance: far }.widened(margin));
+        volume
+    }
+}
+
+/// The convex hull of points, counter-clockwise (Andrew's monotone chain, 1979).
+fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> Few<DVec2, MAX_OUTLINE> {
+    let mut sorted = [DVec2::ZERO; MAX_OUTLINE];
+    let mut count = 0;
+    for point in points {
+        if count < MAX_OUTLINE && sorted[..count].iter().all(|p| p.distance_squared(point) > same * same) {
+            sorted[count] = point;
+            count += 1;
+        }
+    }
+    let sorted = &mut sorted[..count];
+    sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let mut hull = [DVec2::ZERO; 2 * MAX_OUTLINE];
+    let mut len = 0;
+    let chain = |hull: &mut [DVec2; 2 * MAX_OUTLINE], len: &mut usize, base: usize, point: DVec2| {
+        while *len >= base + 2 && (hull[*len - 1] - hull[*len - 2]).perp_dot(point - hull[*len - 2]) <= 0.0 {
+            *len -= 1;
+        }
+        hull[*len] = point;
+        *len += 1;
+    };
+    for &point in sorted.iter() {
+        chain(&mut hull, &mut len, 0, point);
+    }
+    let base = len.saturating_sub(1);
+    for &point in sorted.iter().rev().skip(1) {
+        chain(&mut hull, &mut len, base, point);
+    }
+    let mut ring = Few::default();
+    for &point in &hull[..len.saturating_sub(1)] {
+        let _full = !ring.push(point);
+    }
+    ring
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_swept_up_to_a_sun_overhead_is_an_endless_column() {
+        let light = LightSpace::new(DVec3::NEG_Y, DVec3::Z);
+        let body = ConvexBody::of_box(DVec3::ZERO, DVec3::ONE);
+        let volume = ConvexVolume::swept_to_light(&body, &light);
+        assert!(volume.contains(Vec3::new(0.5, 1000.0, 0.5)), "far above");
+        assert!(volume.contains(Vec3::new(0.5, 0.5, 0.5)), "inside");
+        assert!(!volume.contains(Vec3::new(0.5, -0.1, 0.5)), "below");
+        assert!(!volume.contains(Vec3::new(1.1, 10.0, 0.5)), "beside");
+        assert!(volume.may_touch(Vec3::new(0.9, 5.0, 0.9), Vec3::splat(9.0)), "a box over its corner");
+        assert!(!volume.may_touch(Vec3::new(-9.0, -9.0, -9.0), Vec3::new(9.0, -0.1, 9.0)), "a box below");
+    }
+
+    #[test]
+    fn nothing_casts_into_an_empty_volume() {
+        let volume =
+            ConvexVolume::swept_to_light(&ConvexBody::default(), &LightSpace::new(DVec3::NEG_Y, DVec3::Z));
+        assert!(volume.is_empty() && !volume.contains(Vec3::ZERO), "empty");
+        assert!(!volume.may_touch(Vec3::splat(-1e9), Vec3::splat(1e9)), "not even the world");
+    }
+}

@@ -1,0 +1,150 @@
+//! What can be wrong with what the caller gave: each error names the thing, the value and the unit.
+
+use std::fmt;
+
+/// A camera that cannot see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CameraError {
+    /// The depth range is empty, negative or not finite.
+    DepthRange {
+        /// Nearest depth, metres.
+        near: f32,
+        /// Farthest depth, metres.
+        far: f32,
+    },
+    /// The field of view is not between 0 and π.
+    FieldOfView(f32),
+    /// Width over height is not positive and finite.
+    Aspect(f32),
+    /// Half the height of an orthographic picture is not positive and finite.
+    HalfHeight(f32),
+    /// The camera's axes are not perpendicular unit vectors, or its place is not finite.
+    NotRigid,
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::DepthRange { near, far } => {
+                write!(f, "a camera needs 0 < near < far, both finite, got near {near} m and far {far} m")
+            }
+            Self::FieldOfView(fov) => {
+                write!(
+                    f,
+                    "a camera's vertical field of view must lie between 0 and 180 degrees, got {} degrees",
+                    fov.to_degrees()
+                )
+            }
+            Self::Aspect(aspect) => {
+                write!(f, "a picture's width over its height must be positive, got {aspect}")
+            }
+            Self::HalfHeight(half) => {
+                write!(f, "half the height of an orthographic view must be positive, got {half} m")
+            }
+            Self::NotRigid => write!(f, "a camera needs a finite place and perpendicular unit axes"),
+        }
+    }
+}
+
+/// A light that does not shine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LightError {
+    /// The direction has no length, or is not finite.
+    Direction([f32; 3]),
+}
+
+impl fmt::Display for LightError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Direction([x, y, z]) => {
+                write!(f, "a light's direction must be finite and not zero, got ({x}, {y}, {z})")
+            }
+        }
+    }
+}
+
+/// A setting out of its range.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SettingsError {
+    /// A number outside its range.
+    OutOfRange {
+        /// The setting's key, as in a settings file.
+        key: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed, with the unit.
+        wanted: &'static str,
+    },
+    /// The manual split distances do not rise, or there are not `splits − 1` of them.
+    Manual {
+        /// How many inner distances there should be.
+        wanted: u32,
+        /// What was given, metres.
+        got: Vec<f32>,
+    },
+}
+
+impl fmt::Display for SettingsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange { key, value, wanted } => write!(f, "`{key}` must be {wanted}, got {value}"),
+            Self::Manual { wanted, got } => {
+                write!(
+                    f,
+                    "`manual` must hold {wanted} rising positive distances in metres (one less than `splits`), got {got:?}"
+                )
+            }
+        }
+    }
+}
+
+/// Why there is no plan for this frame.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// The settings contradict themselves.
+    Settings(SettingsError),
+    /// The shadow distance ends before the camera's near plane.
+    Distance {
+        /// `distance` of the settings, metres.
+        distance: f32,
+        /// The camera's near, metres.
+        near: f32,
+    },
+    /// A box of the world is not finite.
+    Bounds,
+    /// More lights than one plan can hold.
+    Lights {
+        /// How many were given.
+        got: usize,
+        /// How many fit.
+        most: usize,
+    },
+}
+
+impl fmt::Display for PlanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Settings(error) => error.fmt(f),
+            Self::Distance { distance, near } => {
+                write!(f, "`distance` must exceed the camera's near of {near} m, got {distance} m")
+            }
+            Self::Bounds => write!(f, "the world's bounds must be finite"),
+            Self::Lights { got, most } => write!(f, "a plan holds at most {most} lights, got {got}"),
+        }
+    }
+}
+
+impl std::error::Error for CameraError {}
+impl std::error::Error for LightError {}
+impl std::error::Error for SettingsError {}
+impl std::error::Error for PlanError {}
+
+impl From<SettingsError> for PlanError {
+    fn from(error: SettingsError) -> Self {
+        Self::Settings(error)
+    }
+}

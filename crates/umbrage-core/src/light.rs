@@ -1,0 +1,34 @@
+//! What shines. A plan may hold several lights; each makes its own shadow views.
+
+use glam::Vec3;
+
+use crate::LightError;
+
+/// A light that casts shadows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Light {
+    /// Parallel rays, as from the sun. Made by [`Light::directional`].
+    Directional {
+        /// Unit direction in which the light travels, in world space.
+        direction: Vec3,
+    },
+}
+
+impl Light {
+    /// A sun whose light travels along `direction`, of any length.
+    ///
+    /// # Errors
+    /// When `direction` is zero or not finite.
+    pub fn directional(direction: Vec3) -> Result<Self, LightError> {
+        let unit = direction.try_normalize().ok_or(LightError::Direction(direction.to_array()))?;
+        Ok(Self::Directional { direction: unit })
+    }
+
+    /// How many shadow views it needs when the camera's depth is cut into `splits`.
+    pub fn views(&self, splits: u32) -> u32 {
+        match self {
+            Self::Directional { .. } => splits,
+        }
+    }
+}

@@ -1,0 +1,386 @@
+//! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
+
+use crate::SettingsError;
+
+/// The most splits a light can have (Ferko 2010, listing 4.13).
+pub const MAX_SPLITS: usize = 9;
+
+/// The most lights one plan can hold.
+pub const MAX_LIGHTS: usize = 16;
+
+/// How shadows are made. [`Settings::default`] is the preset `default`.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Settings {
+    /// Into how many slices the camera's depth is cut, 1 to 9; 1 is an ordinary shadow map.
+    pub splits: u32,
+    /// How the cuts are placed.
+    pub scheme: Scheme,
+    /// For [`Scheme::Practical`]: 0 is uniform, 1 is logarithmic.
+    pub lambda: f32,
+    /// δ_bias: moves the inner cuts away from the eye, metres, ≥ 0.
+    pub split_bias: f32,
+    /// For [`Scheme::Manual`]: the inner distances, metres, one less than `splits`.
+    pub manual: Vec<f32>,
+    /// How far from the eye there are shadows, metres; the camera's far where absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub distance: Option<f32>,
+    /// A virtual near for the cuts, metres; the camera's near where absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub near: Option<f32>,
+    /// Texels a side of each view's tile, 16 to 16384.
+    pub resolution: u32,
+    /// What a texel is.
+    pub depth: DepthFormat,
+    /// Where the views' tiles lie.
+    pub storage: Storage,
+    /// What a view's box is fitted to.
+    pub fit: Fit,
+    /// Whether casters between the light and a view's box are flattened onto its near plane. Where not, the near plane
+    /// is moved toward the light instead, and depth is coarser.
+    pub unclipped_depth: bool,
+    /// How a receiver finds its view.
+    pub select: Select,
+    /// How a map is read.
+    pub filter: Filter,
+    /// What keeps surfaces from shadowing themselves.
+    pub bias: Bias,
+    /// What a shadow does to the picture.
+    pub shade: Shade,
+}
+
+/// How cuts are placed. Zhang et al. 2006, eqs. 4–7.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Scheme {
+    /// A mix of logarithmic and uniform by λ.
+    Practical,
+    /// Equal slices.
+    Uniform,
+    /// Slices of equal ratio.
+    Logarithmic,
+    /// Given in metres.
+    Manual,
+}
+
+/// What a texel of a shadow map is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum DepthFormat {
+    /// 32-bit float.
+    F32,
+    /// 16-bit unsigned, normalised.
+    U16,
+}
+
+impl DepthFormat {
+    /// Bytes a texel.
+    pub fn bytes(self) -> u64 {
+        match self {
+            Self::F32 => 4,
+            Self::U16 => 2,
+        }
+    }
+}
+
+/// Where the views' tiles lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Storage {
+    /// Each in a layer of its own.
+    Array,
+    /// Side by side in one layer.
+    Atlas,
+}
+
+/// What a view's box is fitted to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Fit {
+    /// The part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2).
+    Scene,
+    /// The whole slice ("scene-independent").
+    View,
+    /// A sphere around the slice, moved by whole texels: edges hold still under any camera motion.
+    Stable,
+}
+
+/// How a receiver finds its view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Select {
+    /// By view depth.
+    Depth,
+    /// By the camera's clip depth (Zhang et al. 2006, eq. 8, corrected).
+    ClipDepth,
+    /// The finest view whose map holds the whole filter footprint.
+    Map,
+}
+
+/// How a map is read; each variant is a file of shader code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
+pub enum Filter {
+    /// One comparison with the nearest texel.
+    Hard {},
+    /// Four comparisons, weighted bilinearly, by the sampler.
+    Bilinear {},
+    /// The mean of `size` × `size` bilinear lookups, one texel apart.
+    Pcf {
+        /// Lookups a side: 1, 3, 5, 7 or 9.
+        size: u32,
+    },
+}
+
+/// What keeps surfaces from shadowing themselves. Zero everywhere is no bias.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Bias {
+    /// Raster: least depth steps of the map's format (`glPolygonOffset` units).
+    pub raster_constant: i32,
+    /// Raster: times the caster's depth slope a texel (`glPolygonOffset` factor).
+    pub raster_slope: f32,
+    /// Toward the light at lookup, metres.
+    pub constant: f32,
+    /// Toward the light at lookup, in texels of the view, times the tangent of the angle between normal and light.
+    pub slope: f32,
+    /// The largest tangent that `slope` is multiplied with; 2 in opengl-tutorial 16 (0.01 / 0.005).
+    pub slope_limit: f32,
+    /// Along the receiver's normal at lookup; 1 is the least that is exact for the filter's kernel.
+    pub normal: f32,
+    /// Which faces of casters are drawn.
+    pub casters: CasterFaces,
+}
+
+/// Which faces of casters are drawn into the maps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum CasterFaces {
+    /// All.
+    Both,
+    /// Those turned to the light.
+    Front,
+    /// Those turned away; wants closed casters.
+    Back,
+}
+
+/// What a shadow does to the picture. `darkness` is 1 where a shadow takes all of the light away, 0 where none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
+pub enum Shade {
+    /// The light adds less.
+    Absence {
+        /// 0 to 1.
+        #[cfg_attr(feature = "serde", serde(default = "full_darkness"))]
+        darkness: f32,
+    },
+    /// The lit picture is mixed with a colour (Ferko 2010, listing 4.9).
+    Colour {
+        /// Linear RGB, and in alpha how much of the lit picture it replaces, 0 to 1.
+        shadow_colour: [f32; 4],
+        /// 0 to 1.
+        #[cfg_attr(feature = "serde", serde(default = "full_darkness"))]
+        darkness: f32,
+    },
+}
+
+#[cfg(feature = "serde")]
+fn full_darkness() -> f32 {
+    1.0
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            splits: 4, // each more buys less: storage factor 1543, 231, 92, 53 for 2, 3, 4, 5 at f/n = 800
+            scheme: Scheme::Practical,
+            lambda: 0.5, // the best compromise of Ferko 2010 §3.1, and Zhang's eq. 6
+            split_bias: 0.0,
+            manual: Vec::new(),
+            distance: None,
+            near: None,
+            resolution: 1024, // 4 × 1024² × 4 bytes = 16 MiB
+            depth: DepthFormat::F32,
+            storage: Storage::Array,
+            fit: Fit::Scene,
+            unclipped_depth: true,
+            select: Select::Depth,
+            filter: Filter::Bilinear {},
+            bias: Bias::default(),
+            shade: Shade::Absence { darkness: 1.0 },
+        }
+    }
+}
+
+impl Default for Bias {
+    fn default() -> Self {
+        Self {
+            raster_constant: 0,
+            raster_slope: 0.0,
+            constant: 0.002, // rounding of depth over a few kilometres in 32 bits
+            slope: 0.0,
+            slope_limit: 2.0,
+            normal: 1.0, // exact for a flat receiver
+            casters: CasterFaces::Both,
+        }
+    }
+}
+
+impl Bias {
+    /// No bias at all.
+    pub const NONE: Self = Self {
+        raster_constant: 0,
+        raster_slope: 0.0,
+        constant: 0.0,
+        slope: 0.0,
+        slope_limit: 2.0,
+        normal: 0.0,
+        casters: CasterFaces::Both,
+    };
+}
+
+impl Settings {
+    /// Whether every value is in its range.
+    ///
+    /// # Errors
+    /// The first setting that is not, by its key.
+    pub fn validate(&self) -> Result<(), SettingsError> {
+        let Self {
+            splits,
+            scheme,
+            lambda,
+            split_bias,
+            manual,
+            distance,
+            near,
+            resolution,
+            depth: _,
+            storage: _,
+            fit: _,
+            unclipped_depth: _,
+            select: _,
+            filter,
+            bias,
+            shade,
+        } = self;
+        let positive = "a positive number of metres";
+        check("splits", f64::from(*splits), 1.0, MAX_SPLITS as f64, "from 1 to 9")?;
+        check("lambda", f64::from(*lambda), 0.0, 1.0, "from 0 to 1")?;
+        check("split_bias", f64::from(*split_bias), 0.0, 1e6, "from 0 to 1000000 metres")?;
+        for (key, value) in [("distance", distance), ("near", near)] {
+            check(key, value.map_or(1.0, f64::from), f64::from(f32::MIN_POSITIVE), 1e9, positive)?;
+        }
+        check("resolution", f64::from(*resolution), 16.0, 16384.0, "from 16 to 16384 texels")?;
+        if *scheme == Scheme::Manual {
+            let rises =
+                manual.windows(2).all(|w| w[0] < w[1]) && manual.iter().all(|d| *d > 0.0 && d.is_finite());
+            if manual.len() + 1 != *splits as usize || !rises {
+                return Err(SettingsError::Manual { wanted: splits - 1, got: manual.clone() });
+            }
+        }
+        match filter {
+            Filter::Hard {} | Filter::Bilinear {} => {}
+            Filter::Pcf { size: 1 | 3 | 5 | 7 | 9 } => {}
+            Filter::Pcf { size } => {
+                let wanted = "1, 3, 5, 7 or 9 lookups a side";
+                return Err(SettingsError::OutOfRange {
+                    key: "filter.size",
+                    value: f64::from(*size),
+                    wanted,
+                });
+            }
+        }
+        bias.validate()?;
+        let (Shade::Absence { darkness } | Shade::Colour { darkness, .. }) = shade;
+        check("shade.darkness", f64::from(*darkness), 0.0, 1.0, "from 0 to 1")?;
+        if let Shade::Colour { shadow_colour, .. } = shade {
+            for channel in shadow_colour {
+                check("shade.shadow_colour", f64::from(*channel), 0.0, 1.0, "four numbers from 0 to 1")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Bias {
+    fn validate(&self) -> Result<(), SettingsError> {
+        let Self { raster_constant, raster_slope, constant, slope, slope_limit, normal, casters: _ } = self;
+        let texels = "from 0 to 100";
+        check(
+            "bias.raster_constant",
+            f64::from(*raster_constant),
+            -1e9,
+            1e9,
+            "within ±1000000000 depth steps",
+        )?;
+        check("bias.raster_slope", f64::from(*raster_slope), -100.0, 100.0, "from -100 to 100")?;
+        check("bias.constant", f64::from(*constant), 0.0, 1e3, "from 0 to 1000 metres")?;
+        check("bias.slope", f64::from(*slope), 0.0, 100.0, texels)?;
+        check("bias.slope_limit", f64::from(*slope_limit), 0.0, 1e4, "from 0 to 10000")?;
+        check("bias.normal", f64::from(*normal), 0.0, 100.0, texels)
+    }
+}
+
+/// NaN is outside every range.
+fn check(
+    key: &'static str,
+    value: f64,
+    low: f64,
+    high: f64,
+    wanted: &'static str,
+) -> Result<(), SettingsError> {
+    if (low..=high).contains(&value) { Ok(()) } else { Err(SettingsError::OutOfRange { key, value, wanted }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_is_valid() {
+        assert_eq!(Settings::default().validate(), Ok(()));
+    }
+
+    #[test]
+    fn a_value_out_of_range_is_named() {
+        let key = |settings: Settings| match settings.validate() {
+            Err(SettingsError::OutOfRange { key, .. }) => key,
+            other => panic!("expected a value out of range, got {other:?}"),
+        };
+        let default = Settings::default;
+        assert_eq!(key(Settings { splits: 0, ..default() }), "splits");
+        assert_eq!(key(Settings { splits: 10, ..default() }), "splits");
+        assert_eq!(key(Settings { lambda: f32::NAN, ..default() }), "lambda");
+        assert_eq!(key(Settings { resolution: 8, ..default() }), "resolution");
+        assert_eq!(key(Settings { distance: Some(-1.0), ..default() }), "distance");
+        assert_eq!(key(Settings { filter: Filter::Pcf { size: 4 }, ..default() }), "filter.size");
+        assert_eq!(key(Settings { bias: Bias { normal: -1.0, ..Bias::NONE }, ..default() }), "bias.normal");
+        assert_eq!(key(Settings { shade: Shade::Absence { darkness: 2.0 }, ..default() }), "shade.darkness");
+    }
+
+    #[test]
+    fn manual_distances_must_rise_and_be_one_fewer_than_the_splits() {
+        let manual = |manual: &[f32]| {
+            Settings { splits: 3, scheme: Scheme::Manual, manual: manual.to_vec(), ..Settings::default() }
+                .validate()
+        };
+        assert_eq!(manual(&[10.0, 20.0]), Ok(()));
+        for wrong in [&[10.0][..], &[20.0, 10.0], &[f32::NAN, 20.0], &[10.0, f32::INFINITY]] {
+            assert!(matches!(manual(wrong), Err(SettingsError::Manual { wanted: 2, .. })), "{wrong:?}");
+        }
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn settings_read_back_as_they_were_written() {
+        for preset in crate::PRESETS {
+            let settings = (preset.settings)();
+            let text = toml::to_string(&settings).unwrap();
+            assert_eq!(toml::from_str::<Settings>(&text).unwrap(), settings, "{}: {text}", preset.name);
+        }
+    }
+}

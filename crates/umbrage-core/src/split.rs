@@ -1,0 +1,128 @@
+//! Where to cut the view frustum, so that every shadow map wastes about the same share of its texels.
+//!
+//! Source: Zhang et al., *Parallel-Split Shadow Maps for Large-scale Virtual Environments*, VRCIA 2006, eqs. 4–7;
+//! λ as in Ferko 2010 §3.1 and GPU Gems 3, ch. 10. Paper → here: n → `near`, f → `far`, m → `splits`, C_i → the i-th
+//! returned distance. δ_bias moves inner distances only, so that C_0 = n and C_m = f hold (the paper's eq. 7 moves all).
+//!
+//! Space: view depth, positive metres from the eye.
+
+use std::ops::Range;
+
+use crate::few::Few;
+use crate::settings::{MAX_SPLITS, Scheme, Settings};
+
+/// Splits are at least this share of the whole depth range deep, so that none is empty.
+const MIN_SHARE: f64 = 1e-6;
+
+/// The distances C_0 … C_m in metres, rising, C_0 = `depths.start` and C_m = `depths.end` exactly.
+///
+/// With `settings.near` (a virtual near) the inner distances are those of a range that starts there; C_0 stays, so that
+/// what is nearer still gets shadows. `depths` must be finite with 0 < start < end and `settings` valid.
+pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f32, { MAX_SPLITS + 1 }> {
+    let (near, far) = (f64::from(depths.start), f64::from(depths.end));
+    let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
+    let count = settings.splits;
+    let least = (far - near) * MIN_SHARE;
+    let mut distances = Few::default();
+    let mut fits = distances.push(depths.start);
+    let mut previous = near;
+    for i in 1..count {
+        let wanted = match settings.scheme {
+            Scheme::Uniform => uniform(from, far, i, count),
+            Scheme::Logarithmic => logarithmic(from, far, i, count),
+            Scheme::Practical => practical(from, far, i, count, f64::from(settings.lambda)),
+            Scheme::Manual => f64::from(settings.manual[i as usize - 1]),
+        } + f64::from(settings.split_bias);
+        let room_after = least * f64::from(count - i);
+        let distance = wanted.clamp(previous + least, far - room_after);
+        fits &= distances.push(distance as f32);
+        previous = distance;
+    }
+    fits &= distances.push(depths.end);
+    debug_assert!(fits, "valid settings have at most MAX_SPLITS splits");
+    distances
+}
+
+fn uniform(near: f64, far: f64, i: u32, count: u32) -> f64 {
+    near + (far - near) * f64::from(i) / f64::from(count)
+}
+
+fn logarithmic(near: f64, far: f64, i: u32, count: u32) -> f64 {
+    near * (far / near).powf(f64::from(i) / f64::from(count))
+}
+
+fn practical(near: f64, far: f64, i: u32, count: u32, lambda: f64) -> f64 {
+    lambda * logarithmic(near, far, i, count) + (1.0 - lambda) * uniform(near, far, i, count)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn practical_settings(splits: u32, lambda: f32) -> Settings {
+        Settings { splits, lambda, ..Settings::default() }
+    }
+
+    #[test]
+    fn lambda_zero_gives_equal_slices() {
+        assert_eq!(*split_distances(1.0..9.0, &practical_settings(4, 0.0)), [1.0, 3.0, 5.0, 7.0, 9.0]);
+    }
+
+    #[test]
+    fn practical_splits_are_those_of_v1() {
+        for (near, far, lambda, wanted) in [
+            (1.0, 800.0, 0.5, vec![1.0, 214.392136, 800.0]),
+            (1.0, 800.0, 1.0, vec![1.0, 9.283178, 86.177388, 800.0]),
+            (1.0, 800.0, 0.5, vec![1.0, 103.034148, 214.392136, 375.337062, 800.0]),
+            (1.0, 1000.0, 0.75, vec![1.0, 66.905060, 148.842082, 320.933456, 1000.0]),
+            (0.1, 100.0, 1.0, vec![0.1, 0.562341, 3.162278, 17.782794, 100.0]),
+            (0.1, 100.0, 0.75, vec![0.1, 6.690506, 14.884208, 32.093346, 100.0]),
+            (1.0, 50.0, 0.0, vec![1.0, 17.333333, 33.666667, 50.0]),
+            (0.5, 300.0, 0.75, vec![0.5, 16.447912, 34.919978, 62.464941, 122.621820, 300.0]),
+            (0.1, 150.0, 1.0, vec![0.1, 0.622333, 3.872983, 24.102853, 150.0]),
+        ] {
+            let got = split_distances(near..far, &practical_settings(wanted.len() as u32 - 1, lambda));
+            for (i, (got, wanted)) in got.iter().zip(&wanted).enumerate() {
+                assert!(
+                    (f64::from(*got) - wanted).abs() <= 6e-8 * wanted + 1e-6,
+                    "C_{i} is {got}, not {wanted}"
+                );
+            }
+            assert_eq!(got.len(), wanted.len());
+        }
+    }
+
+    #[test]
+    fn schemes_are_the_ends_of_lambda() {
+        let of =
+            |scheme, lambda| split_distances(0.5..300.0, &Settings { scheme, lambda, ..Settings::default() });
+        assert_eq!(of(Scheme::Uniform, 0.3), of(Scheme::Practical, 0.0));
+        assert_eq!(of(Scheme::Logarithmic, 0.3), of(Scheme::Practical, 1.0));
+    }
+
+    #[test]
+    fn a_virtual_near_moves_the_inner_splits_only() {
+        let settings = Settings { near: Some(10.0), lambda: 1.0, splits: 2, ..Settings::default() };
+        let got = split_distances(0.1..1000.0, &settings);
+        assert_eq!((got[0], got[2]), (0.1, 1000.0));
+        assert!((got[1] - 100.0).abs() < 1e-3, "the mean of 10 and 1000 is 100, got {}", got[1]);
+    }
+
+    proptest! {
+        #[test]
+        fn splits_rise_and_end_exactly_at_near_and_far(
+            near in 1e-3f32..1e3, ratio in 1.001f32..1e6, splits in 1u32..=9, lambda in 0.0f32..=1.0,
+            split_bias in 0.0f32..1e4, virtual_near in proptest::option::of(1e-3f32..1e4),
+            scheme in prop_oneof![Just(Scheme::Uniform), Just(Scheme::Logarithmic), Just(Scheme::Practical)],
+        ) {
+            let far = near * ratio;
+            let settings = Settings { splits, lambda, split_bias, near: virtual_near, scheme, ..Settings::default() };
+            let got = split_distances(near..far, &settings);
+            prop_assert_eq!(got.len(), splits as usize + 1);
+            prop_assert_eq!((got[0], got[splits as usize]), (near, far));
+            prop_assert!(got.windows(2).all(|w| w[0] <= w[1]), "{:?}", got);
+        }
+    }
+}

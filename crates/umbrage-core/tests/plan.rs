@@ -1,0 +1,223 @@
+//! What every plan promises, for any camera, light and world.
+
+use glam::Vec3;
+use proptest::prelude::*;
+use umbrage_core::{Aabb, Bounds, Camera, Fit, Light, PlanError, Projection, Settings, Storage, plan};
+
+fn direction() -> impl Strategy<Value = Vec3> {
+    (-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0)
+        .prop_map(|(x, y, z)| Vec3::new(x, y, z))
+        .prop_filter("has a direction", |v| v.length() > 0.1)
+}
+
+fn camera() -> impl Strategy<Value = Camera> {
+    let projection = prop_oneof![
+        (0.2f32..2.5, 0.4f32..2.5).prop_map(|(fov_y, aspect)| Projection::Perspective { fov_y, aspect }),
+        (1.0f32..50.0, 0.4f32..2.5)
+            .prop_map(|(half_height, aspect)| Projection::Orthographic { half_height, aspect }),
+    ];
+    (direction(), direction(), projection, 0.05f32..5.0, 1.5f32..500.0)
+        .prop_filter("up is not along the view", |(view, up, ..)| {
+            view.normalize().dot(up.normalize()).abs() < 0.95
+        })
+        .prop_map(|(view, up, projection, near, reach)| {
+            let eye = Vec3::new(view.z, up.y, view.x) * 60.0;
+            Camera::looking(eye, eye + view, up, projection, near, near + reach).unwrap()
+        })
+}
+
+fn fit() -> impl Strategy<Value = Fit> {
+    prop_oneof![Just(Fit::Scene), Just(Fit::View), Just(Fit::Stable)]
+}
+
+fn world() -> Bounds {
+    let objects = (0..40u32)
+        .map(|i| {
+            let at = |k: u32| ((i * 37 + k * 101) % 97) as f32 - 48.0;
+            let min = Vec3::new(at(0), at(1).abs() * 0.2, at(2));
+            Aabb { min, max: min + Vec3::new(2.0 + (i % 7) as f32, 3.0, 4.0) }
+        })
+        .collect::<Vec<_>>();
+    let world = objects.iter().fold(Aabb::EMPTY, |sum, object| sum.union(*object));
+    Bounds { world, objects }
+}
+
+/// A point of the box, by shares of its edges.
+fn point_in(aabb: &Aabb, share: Vec3) -> Vec3 {
+    aabb.min + (aabb.max - aabb.min) * share
+}
+
+fn share() -> impl Strategy<Value = Vec3> {
+    (0.0f32..=1.0, 0.0f32..=1.0, 0.0f32..=1.0).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+}
+
+/// The view depth of a point, and whether the camera sees it.
+fn seen(camera: &Camera, point: Vec3) -> (f32, bool) {
+    let depth = camera.forward().dot(point - camera.eye());
+    let clip = camera.clip_from_world() * point.extend(1.0);
+    (
+        depth,
+        clip.x.abs() <= clip.w && clip.y.abs() <= clip.w && depth >= camera.near() && depth <= camera.far(),
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn what_is_seen_of_an_object_lies_in_its_splits_view_and_so_do_its_casters(
+        camera in camera(), light in direction(), fit in fit(), splits in 1u32..=9, lambda in 0.0f32..=1.0,
+        unclipped_depth in any::<bool>(),
+        shares in proptest::collection::vec((0usize..40, share(), 0.0f32..80.0), 40),
+    ) {
+        let bounds = world();
+        let settings = Settings { fit, splits, lambda, unclipped_depth, ..Settings::default() };
+        let along = light.normalize();
+        let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
+        for (object, share, toward_light) in shares {
+            let receiver = point_in(&bounds.objects[object], share);
+            let (depth, is_seen) = seen(&camera, receiver);
+            if !is_seen {
+                continue;
+            }
+            let split = plan.splits()[1..splits as usize].iter().filter(|c| depth >= **c).count();
+            let view = &plan.views()[split];
+            prop_assert!(view.covers(receiver.as_dvec3(), 1e-5), "{receiver} at depth {depth} is outside {view:?}");
+            let caster = receiver - along * toward_light;
+            prop_assert!(view.casters.contains(caster), "a caster at {caster} of {receiver} is left out of {view:?}");
+            // A caster of the world is drawn: before the far plane, and before the near one only if that is allowed.
+            let lies_in_world = bounds.world.min.cmple(caster).all() && bounds.world.max.cmpge(caster).all();
+            if lies_in_world {
+                prop_assert!(view.covers(caster.as_dvec3(), 1e-5), "a caster at {caster} is outside {view:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_nan_for_any_finite_input(
+        eye in prop::array::uniform3(-1e30f32..1e30), view in direction(), up in direction(), light in direction(),
+        fov_y in 1e-4f32..3.1415, aspect in 1e-4f32..1e4, near_exponent in -30.0f32..30.0, reach_exponent in -5.0f32..30.0,
+        corner in prop::array::uniform3(-1e30f32..1e30), size_exponent in -30.0f32..30.0,
+        fit in fit(), splits in 1u32..=9, lambda in 0.0f32..=1.0,
+    ) {
+        let near = 10f32.powf(near_exponent);
+        let far = near * (1.0 + 10f32.powf(reach_exponent));
+        let projection = Projection::Perspective { fov_y, aspect };
+        // Huge eyes swallow the direction; the camera says so and there is nothing to plan.
+        let eye = Vec3::from_array(eye);
+        let Ok(camera) = Camera::looking(eye, eye + view * eye.length().max(1.0), up, projection, near, far) else { return Ok(()) };
+        let min = Vec3::from_array(corner);
+        let bounds = Bounds::of_world(min, min + Vec3::splat(10f32.powf(size_exponent)));
+        let settings = Settings { fit, splits, lambda, ..Settings::default() };
+        let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
+        for view in plan.views() {
+            prop_assert!(view.clip_from_world.is_finite(), "{view:?}");
+            prop_assert!(view.texel_metres.is_finite() && view.depth_metres.is_finite(), "{view:?}");
+            let finite = view.casters.planes().iter().all(|p| p.normal.is_finite() && p.distance.is_finite());
+            prop_assert!(finite, "{:?}", view.casters);
+        }
+    }
+
+    #[test]
+    fn the_stable_fit_moves_by_whole_texels_and_keeps_its_size(
+        light in direction(), fov_y in 0.3f32..2.0, splits in 1u32..=5,
+        motion in proptest::collection::vec((share(), direction()), 8),
+    ) {
+        let bounds = world();
+        let settings = Settings { fit: Fit::Stable, splits, ..Settings::default() };
+        let lights = [Light::directional(light).unwrap()];
+        let projection = Projection::Perspective { fov_y, aspect: 1.6 };
+        let mut first: Option<Vec<(glam::Mat4, f32)>> = None;
+        for (place, view) in motion {
+            let eye = place * 40.0;
+            let up = view.any_orthonormal_vector();
+            let camera = Camera::looking(eye, eye + view, up, projection, 0.5, 200.0).unwrap();
+            let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
+            let now: Vec<_> = plan.views().iter().map(|v| (v.clip_from_world, v.texel_metres)).collect();
+            let first = first.get_or_insert_with(|| now.clone());
+            for (before, after) in first.iter().zip(&now) {
+                prop_assert_eq!(before.1, after.1, "texels change size");
+                for column in 0..3 {
+                    prop_assert_eq!(before.0.col(column), after.0.col(column), "the map turns or scales");
+                }
+                prop_assert_eq!(before.0.w_axis.z, after.0.w_axis.z, "depths move");
+                let texels = (after.0.w_axis - before.0.w_axis).truncate().truncate().as_dvec2() * 512.0;
+                let off = (texels - texels.round()).abs().max_element();
+                prop_assert!(off < 2e-3 + 1e-6 * texels.abs().max_element(), "moved by {texels} texels");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_empty_world_and_a_camera_that_looks_away_get_finite_views_without_casters() {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    let camera = Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 0.1, 100.0).unwrap();
+    let lights = [Light::directional(Vec3::NEG_Y).unwrap()];
+    let behind = Bounds::of_world(Vec3::splat(10.0), Vec3::splat(20.0));
+    let empty = Bounds { world: Aabb::EMPTY, objects: Vec::new() };
+    for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+        for bounds in [&behind, &empty] {
+            let plan = plan(&camera, &lights, bounds, &Settings { fit, ..Settings::default() }).unwrap();
+            assert_eq!(plan.views().len(), 4);
+            for view in plan.views() {
+                assert!(view.clip_from_world.is_finite() && view.casters.is_empty(), "{fit:?}: {view:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_scene_fit_is_never_coarser_than_the_view_fit() {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+    let camera =
+        Camera::looking(Vec3::new(0.0, 8.0, 60.0), Vec3::ZERO, Vec3::Y, projection, 1.0, 200.0).unwrap();
+    let lights = [Light::directional(Vec3::new(0.4, -1.0, 0.2)).unwrap()];
+    let texels = |fit| {
+        let plan = plan(&camera, &lights, &world(), &Settings { fit, ..Settings::default() }).unwrap();
+        plan.views().iter().map(|view| view.texel_metres).collect::<Vec<_>>()
+    };
+    let (scene, view, stable) = (texels(Fit::Scene), texels(Fit::View), texels(Fit::Stable));
+    for i in 0..4 {
+        assert!(
+            scene[i] <= view[i] && view[i] <= stable[i] * 1.001,
+            "split {i}: {} {} {}",
+            scene[i],
+            view[i],
+            stable[i]
+        );
+    }
+    assert!(scene[3] < 0.5 * view[3], "the last slice is mostly empty: {} against {}", scene[3], view[3]);
+}
+
+#[test]
+fn two_lights_make_two_sets_of_views_on_tiles_of_their_own() {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    let camera = Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 0.1, 100.0).unwrap();
+    let lights = [Vec3::NEG_Y, Vec3::X].map(|d| Light::directional(d).unwrap());
+    let settings = Settings { storage: Storage::Atlas, splits: 3, ..Settings::default() };
+    let plan = plan(&camera, &lights, &world(), &settings).unwrap();
+    let of: Vec<_> = plan.views().iter().map(|v| (v.index, v.light, v.split)).collect();
+    assert_eq!(of, [(0, 0, 0), (1, 0, 1), (2, 0, 2), (3, 1, 0), (4, 1, 1), (5, 1, 2)]);
+    assert_eq!((plan.layout().columns, plan.layout().rows), (3, 2));
+}
+
+#[test]
+fn what_cannot_be_planned_is_refused_by_name() {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    let camera = Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 1.0, 100.0).unwrap();
+    let light = Light::directional(Vec3::NEG_Y).unwrap();
+    let too_near = Settings { distance: Some(0.5), ..Settings::default() };
+    let error = plan(&camera, &[light], &world(), &too_near).unwrap_err();
+    assert_eq!(error, PlanError::Distance { distance: 0.5, near: 1.0 });
+    let nan = Bounds::of_world(Vec3::NAN, Vec3::ONE);
+    assert_eq!(plan(&camera, &[light], &nan, &Settings::default()).unwrap_err(), PlanError::Bounds);
+    assert!(
+        matches!(plan(&camera, &[light; 17], &world(), &Settings::default()), Err(PlanError::Lights { .. })),
+        "17"
+    );
+    assert!(
+        Light::directional(Vec3::ZERO).is_err() && Light::directional(Vec3::NAN).is_err(),
+        "no direction"
+    );
+}
