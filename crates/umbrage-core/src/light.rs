@@ -25,6 +25,13 @@ impl Light {
         Ok(Self::Directional { direction: unit })
     }
 
+    /// Unit direction toward the light, in world space; for a directional light the same everywhere.
+    pub fn direction_to_light(&self) -> Vec3 {
+        match self {
+            Self::Directional { direction } => -*direction,
+        }
+    }
+
     /// How many shadow views it needs when the camera's depth is cut into `splits`.
     pub fn views(&self, splits: u32) -> u32 {
         match self {

@@ -1,0 +1,52 @@
+// What every shader of a frame knows: the views, the lights, and how a receiver finds its view.
+// Written once a frame by `Shadows::upload`; laid out as in `gpu_types.rs`, which a test compares.
+
+struct UmbrageView {
+    /// World space to the view's own clip space.
+    clip_from_world: mat4x4f,
+    /// Upper left corner of the tile, texels.
+    tile_origin: vec2f,
+    /// Side of the tile, texels.
+    tile_size: f32,
+    /// Array layer.
+    layer: i32,
+    /// Larger side of a texel on a receiver that faces the light, metres.
+    texel_metres: f32,
+    /// How much one unit of depth is, metres.
+    depth_metres: f32,
+}
+
+struct UmbrageLight {
+    /// Unit, in world space.
+    direction_to_light: vec3f,
+    /// Index of its first view.
+    first_view: u32,
+}
+
+struct UmbrageFrame {
+    /// View depth of world point p is dot(depth_row, vec4(p, 1)), metres.
+    depth_row: vec4f,
+    /// The camera's reversed clip depth is dot(clip_z_row, …) / dot(clip_w_row, …).
+    clip_z_row: vec4f,
+    clip_w_row: vec4f,
+    /// Where each split ends, metres; and the same as reversed clip depths.
+    split_ends: array<f32, 9>,
+    split_clip_ends: array<f32, 9>,
+    split_count: u32,
+    light_count: u32,
+    /// Size of the maps' texture, texels.
+    map_size: vec2f,
+    /// Bias toward the light, metres.
+    bias_constant: f32,
+    /// Bias toward the light, texels times tangent.
+    bias_slope: f32,
+    bias_slope_limit: f32,
+    /// Offset along the normal, texels times sine: √2 · kernel half width · bias.normal.
+    bias_normal: f32,
+    shadow_colour: vec4f,
+    darkness: f32,
+    lights: array<UmbrageLight, 16>,
+    views: array<UmbrageView>,
+}
+
+@group(0) @binding(0) var<storage, read> umbrage_frame: UmbrageFrame;

@@ -1,0 +1,39 @@
+//! What can go wrong between settings and an adapter.
+
+use umbrage_core::SettingsError;
+
+/// Why there are no shadows.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ShadowError {
+    /// A setting is out of its range.
+    #[error(transparent)]
+    Settings(#[from] SettingsError),
+    /// The maps are larger than the adapter's textures may be.
+    #[error(
+        "shadow maps of {width} x {height} texels in {layers} layers exceed this adapter's {most} x {most} in {most_layers}; lower `resolution` or `splits`, or change `storage`"
+    )]
+    TooLarge {
+        /// Wanted width, texels.
+        width: u32,
+        /// Wanted height, texels.
+        height: u32,
+        /// Wanted layers.
+        layers: u32,
+        /// The adapter's largest side, texels.
+        most: u32,
+        /// The adapter's most layers.
+        most_layers: u32,
+    },
+    /// More lights than a plan holds, or none.
+    #[error("shadows need 1 to {most} lights, got {got}")]
+    Lights {
+        /// How many were asked for.
+        got: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// The maps could not be read back.
+    #[error("the shadow maps could not be read back: {0}")]
+    ReadBack(String),
+}

@@ -1,0 +1,5 @@
+//! Tests that need an adapter: Mesa's lavapipe and llvmpipe will do, and `scripts/setup` installs them.
+
+mod agreement;
+mod common;
+mod lookup;
