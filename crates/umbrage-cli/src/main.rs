@@ -1,1 +1,30 @@
-fn main() {}
+//! The command `umbrage`: draw, plan, compare and time the shadows of large worlds.
+//!
+//! Thin: one file a subcommand, in `commands/`; what they share is in `args`, `settings`, `world` and `output`. Results
+//! go to stdout or to `-o`, everything else to stderr. Exit status 0, 1 (the work failed) or 2 (the words are wrong).
+//!
+//! This crate does not: know how shadows are made. It parses, calls, and prints.
+
+mod args;
+mod commands;
+mod failure;
+mod label;
+mod output;
+mod progress;
+mod settings;
+mod world;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+fn main() -> ExitCode {
+    let commands = args::Cli::parse();
+    match commands::run(commands.command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            failure.exit_code()
+        }
+    }
+}

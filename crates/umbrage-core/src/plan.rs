@@ -17,7 +17,7 @@ use crate::view::{MapLayout, ShadowView};
 pub struct ShadowPlan {
     views: Vec<ShadowView>,
     lights: Vec<Light>,
-    splits: Few<f32, { MAX_SPLITS + 1 }>,
+    splits: Few<f64, { MAX_SPLITS + 1 }>,
     layout: MapLayout,
     camera: Camera,
 }
@@ -80,7 +80,7 @@ impl ShadowPlan {
                 let depths = self.splits[split]..self.splits[split + 1];
                 let slice = Slice {
                     camera,
-                    depths: f64::from(depths.start)..f64::from(depths.end),
+                    depths: depths.clone(),
                     along: direction.as_dvec3().normalize(),
                     bounds,
                     settings,
@@ -94,7 +94,7 @@ impl ShadowPlan {
                     casters,
                     light: light_index,
                     split,
-                    depths,
+                    depths: depths.start as f32..depths.end as f32,
                     texel_metres: finite(size.x.max(size.y) / f64::from(settings.resolution)),
                     depth_metres: finite(size.z),
                     tile: self.layout.tile(index as u32),
@@ -116,7 +116,7 @@ impl ShadowPlan {
     }
 
     /// C_0 … C_m, metres.
-    pub fn splits(&self) -> &[f32] {
+    pub fn splits(&self) -> &[f64] {
         &self.splits
     }
 

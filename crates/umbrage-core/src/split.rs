@@ -18,13 +18,15 @@ const MIN_SHARE: f64 = 1e-6;
 ///
 /// With `settings.near` (a virtual near) the inner distances are those of a range that starts there; C_0 stays, so that
 /// what is nearer still gets shadows. `depths` must be finite with 0 < start < end and `settings` valid.
-pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f32, { MAX_SPLITS + 1 }> {
+pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f64, { MAX_SPLITS + 1 }> {
     let (near, far) = (f64::from(depths.start), f64::from(depths.end));
-    let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
+    let from = settings
+        .near
+        .map_or(near, |virtual_near| f64::from(virtual_near).clamp(f64::from(near), f64::from(far)));
     let count = settings.splits;
     let least = (far - near) * MIN_SHARE;
     let mut distances = Few::default();
-    let mut fits = distances.push(depths.start);
+    let mut fits = distances.push(near);
     let mut previous = near;
     for i in 1..count {
         let wanted = match settings.scheme {
@@ -35,10 +37,10 @@ pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f32, { MA
         } + f64::from(settings.split_bias);
         let room_after = least * f64::from(count - i);
         let distance = wanted.clamp(previous + least, far - room_after);
-        fits &= distances.push(distance as f32);
+        fits &= distances.push(distance);
         previous = distance;
     }
-    fits &= distances.push(depths.end);
+    fits &= distances.push(far);
     debug_assert!(fits, "valid settings have at most MAX_SPLITS splits");
     distances
 }
@@ -106,7 +108,7 @@ mod tests {
     fn a_virtual_near_moves_the_inner_splits_only() {
         let settings = Settings { near: Some(10.0), lambda: 1.0, splits: 2, ..Settings::default() };
         let got = split_distances(0.1..1000.0, &settings);
-        assert_eq!((got[0], got[2]), (0.1, 1000.0));
+        assert_eq!((got[0], got[2]), (f64::from(0.1f32), 1000.0));
         assert!((got[1] - 100.0).abs() < 1e-3, "the mean of 10 and 1000 is 100, got {}", got[1]);
     }
 
@@ -121,7 +123,7 @@ mod tests {
             let settings = Settings { splits, lambda, split_bias, near: virtual_near, scheme, ..Settings::default() };
             let got = split_distances(near..far, &settings);
             prop_assert_eq!(got.len(), splits as usize + 1);
-            prop_assert_eq!((got[0], got[splits as usize]), (near, far));
+            prop_assert_eq!((got[0], got[splits as usize]), (f64::from(near), f64::from(far)));
             prop_assert!(got.windows(2).all(|w| w[0] <= w[1]), "{:?}", got);
         }
     }

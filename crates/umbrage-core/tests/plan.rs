@@ -80,7 +80,7 @@ proptest! {
             if !is_seen {
                 continue;
             }
-            let split = plan.splits()[1..splits as usize].iter().filter(|c| depth >= **c).count();
+            let split = plan.splits()[1..splits as usize].iter().filter(|c| depth >= **c as f32).count();
             let view = &plan.views()[split];
             prop_assert!(view.covers(receiver.as_dvec3(), 1e-5), "{receiver} at depth {depth} is outside {view:?}");
             let caster = receiver - along * toward_light;

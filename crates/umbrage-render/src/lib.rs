@@ -1,1 +1,29 @@
-//! .
+//! A small forward renderer that draws a [`umbrage_scene::Scene`] with the shadows of [`umbrage`]: the worked example of
+//! how to integrate it, and what the command line draws with.
+//!
+//! [`Gpu`] is an adapter and its device. [`Renderer`] holds a scene on it, and draws a [`Frame`]: a plan, one caster pass
+//! for each view, one shading pass. What is drawn into a view is a list of (instance, part), made in one place,
+//! [`draws`].
+//!
+//! This crate does not: open windows, read files, measure errors, or shade like a film. Only the first directional light
+//! of a scene casts shadows.
+
+pub mod draws;
+
+mod convert;
+mod error;
+mod gpu;
+mod renderer;
+mod scene_buffers;
+mod shading;
+mod target;
+mod textures;
+mod timing;
+
+pub use convert::{bounds, camera, sun};
+pub use error::RenderError;
+pub use gpu::{AdapterDescription, Gpu};
+pub use renderer::{Frame, Rendered, Renderer, Show};
+pub use target::Picture;
+pub use timing::{FrameTimes, ViewLoad};
+pub use umbrage;

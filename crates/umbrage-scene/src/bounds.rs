@@ -17,9 +17,7 @@ impl Aabb {
 
     /// The smallest box that holds all `points`.
     pub fn of_points(points: impl IntoIterator<Item = Vec3>) -> Self {
-        points
-            .into_iter()
-            .fold(Self::EMPTY, |sum, p| Self { min: sum.min.min(p), max: sum.max.max(p) })
+        points.into_iter().fold(Self::EMPTY, |sum, p| Self { min: sum.min.min(p), max: sum.max.max(p) })
     }
 
     /// The smallest box that holds both.

@@ -111,7 +111,8 @@ mod tests {
 
     #[test]
     fn a_looking_camera_sees_its_target_straight_ahead() {
-        let camera = Camera::looking("c", Vec3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 2.0, -7.0), 1.0, 0.1, 10.0);
+        let camera =
+            Camera::looking("c", Vec3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 2.0, -7.0), 1.0, 0.1, 10.0);
         assert_eq!(camera.eye(), Vec3::new(1.0, 2.0, 3.0));
         assert!((camera.forward() - Vec3::NEG_Z).length() < 1e-6, "{:?}", camera.forward());
     }

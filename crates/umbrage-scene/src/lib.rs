@@ -2,22 +2,32 @@
 //!
 //! A [`Scene`] is plain data: meshes cut into parts, instances that place them, materials, cameras, lights, and a
 //! camera path. It comes from a file ([`load`]: `.glb`, `.gltf`, `.obj`), or is one of the built-in [`worlds`], and can
-//! be written back as a `.glb` ([`export`]).
+//! be written back as a `.glb` ([`to_glb`], [`save_glb`]).
 //!
 //! World space is right-handed, in metres, with Y up. Matrices are named `target_from_source`.
 //!
 //! This crate does not: touch a GPU, know a shadow map, cull, or decide what a picture looks like. Cameras and lights
 //! are descriptions as a glTF file has them; whoever draws or traces a scene makes their own matrices from them.
 
+mod actors;
 mod bounds;
 mod camera;
+mod error;
+mod export;
+mod extras;
+mod import;
 mod light;
 mod material;
 mod mesh;
 mod scene;
+mod shape;
+pub mod worlds;
 
 pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
+pub use error::SceneError;
+pub use export::{save_glb, to_glb};
+pub use import::{Imported, load, load_glb_bytes, load_obj_bytes};
 pub use light::{Light, LightKind};
 pub use material::{Material, Texture};
 pub use mesh::{Mesh, Part, Primitive};

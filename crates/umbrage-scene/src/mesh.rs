@@ -63,7 +63,23 @@ impl Mesh {
     /// Joins primitives into one mesh and cuts it into parts. The same triangles in the same order always give the
     /// same parts, and cutting a mesh that was cut before changes nothing.
     pub fn new(name: &str, primitives: &[Primitive]) -> Self {
-        let mut mesh = Self {
+        let mut mesh = Self::empty(name);
+        for Primitive { positions, normals, uvs, indices, material } in primitives {
+            let base = mesh.positions.len() as u32;
+            mesh.positions.extend(positions);
+            mesh.normals.extend(normals);
+            mesh.uvs.extend(uvs);
+            mesh.add_triangles(
+                indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.map(|i| base + i)),
+                *material,
+            );
+        }
+        mesh
+    }
+
+    /// A mesh without vertices, parts or triangles.
+    pub(crate) fn empty(name: &str) -> Self {
+        Self {
             name: name.to_owned(),
             positions: Vec::new(),
             normals: Vec::new(),
@@ -71,16 +87,13 @@ impl Mesh {
             indices: Vec::new(),
             parts: Vec::new(),
             bounds: Aabb::EMPTY,
-        };
-        for primitive in primitives {
-            let base = mesh.positions.len() as u32;
-            mesh.positions.extend(&primitive.positions);
-            mesh.normals.extend(&primitive.normals);
-            mesh.uvs.extend(&primitive.uvs);
-            let triangles = primitive.indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.map(|i| base + i)).collect();
-            mesh.cut(triangles, primitive.material);
         }
-        mesh
+    }
+
+    /// Cuts triangles of one material into parts. Their corners are vertices that the mesh already has, so several
+    /// materials may share a vertex.
+    pub(crate) fn add_triangles(&mut self, triangles: impl Iterator<Item = [u32; 3]>, material: usize) {
+        self.cut(triangles.collect(), material);
     }
 
     /// How many triangles.
@@ -111,15 +124,18 @@ impl Mesh {
         } else {
             2
         };
-        // Ranks instead of values, so that many equal centroids still split in half.
-        let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
-        let key = |i: &u32| centroid(&triangles[*i as usize])[axis];
-        order.sort_by(|a, b| key(a).total_cmp(&key(b)));
-        let (low, high) = order.split_at_mut(triangles.len() / 2);
-        low.sort_unstable();
-        high.sort_unstable();
-        let pick = |half: &[u32]| half.iter().map(|&i| triangles[i as usize]).collect::<Vec<_>>();
-        let (low, high) = (pick(low), pick(high));
+        // Equal centroids are told apart by their rank, so that many of them still split in half.
+        let mut order: Vec<(f32, u32)> = triangles.iter().map(|t| centroid(t)[axis]).zip(0..).collect();
+        let middle = order.len() / 2;
+        order.select_nth_unstable_by(middle, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut low = vec![false; triangles.len()];
+        for (_, rank) in &order[..middle] {
+            low[*rank as usize] = true;
+        }
+        let pick = |half: bool| {
+            triangles.iter().zip(&low).filter(|(_, low)| **low == half).map(|(t, _)| *t).collect()
+        };
+        let (low, high) = (pick(true), pick(false));
         self.cut(low, material);
         self.cut(high, material);
     }

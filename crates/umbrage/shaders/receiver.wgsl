@@ -50,14 +50,19 @@ fn umbrage_uv(view_index: u32, texel: vec2f) -> vec2f {
     return (umbrage_frame.views[view_index].tile_origin + inside) / umbrage_frame.map_size;
 }
 
+/// Index of the view that serves a receiver, or UMBRAGE_NO_VIEW.
+fn umbrage_view_of(light: u32, world_position: vec3f, world_normal: vec3f) -> u32 {
+    let depth = umbrage_view_depth(world_position);
+    if depth > umbrage_frame.split_ends[umbrage_frame.split_count - 1u] {
+        return UMBRAGE_NO_VIEW;
+    }
+    return umbrage_select(light, depth, world_position, world_normal);
+}
+
 /// How much of one light reaches a world-space point. Points outside every map are lit. `pixel` is the fragment's
 /// position on screen.
 fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec3f, pixel: vec2f) -> f32 {
-    let depth = umbrage_view_depth(world_position);
-    if depth > umbrage_frame.split_ends[umbrage_frame.split_count - 1u] {
-        return 1.0;
-    }
-    let view_index = umbrage_select(light, depth, world_position, world_normal);
+    let view_index = umbrage_view_of(light, world_position, world_normal);
     if view_index == UMBRAGE_NO_VIEW {
         return 1.0;
     }

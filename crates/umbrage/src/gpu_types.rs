@@ -52,8 +52,9 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
     let clip_from_world = camera.clip_from_world();
     let forward = camera.forward();
     let ends = plan.splits().get(1..).unwrap_or_default();
-    let per_split =
-        |value: &dyn Fn(f32) -> f32| std::array::from_fn(|i| ends.get(i).map_or(0.0, |end| value(*end)));
+    let per_split = |value: &dyn Fn(f32) -> f32| {
+        std::array::from_fn(|i| ends.get(i).map_or(0.0, |end| value(*end as f32)))
+    };
     let (shadow_colour, darkness) = match settings.shade {
         Shade::Absence { darkness } => ([0.0; 4], darkness),
         Shade::Colour { shadow_colour, darkness } => (shadow_colour, darkness),

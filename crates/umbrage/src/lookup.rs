@@ -32,7 +32,7 @@ impl Lookup<'_> {
         let camera = self.plan.camera();
         let forward = camera.forward();
         let depth = forward.extend(-forward.dot(camera.eye())).dot(world_position.extend(1.0));
-        let beyond = self.plan.splits().last().is_none_or(|end| depth > *end);
+        let beyond = self.plan.splits().last().is_none_or(|end| depth > *end as f32);
         let view = if beyond { None } else { self.select(light, depth, world_position, world_normal) };
         let Some(view) = view else { return 1.0 };
         let Place { texel, depth, reference } = self.place(view, light, world_position, world_normal);
@@ -66,13 +66,13 @@ impl Lookup<'_> {
         let inner = || self.plan.splits().iter().skip(1).take(self.plan.splits().len().saturating_sub(2));
         match self.settings.select {
             Select::Depth => {
-                let split = inner().filter(|end| depth >= **end).count();
+                let split = inner().filter(|end| depth >= **end as f32).count();
                 views.into_iter().nth(split)
             }
             Select::ClipDepth => {
                 let camera = self.plan.camera();
                 let clip = camera.clip_from_world() * position.extend(1.0);
-                let split = inner().filter(|end| clip.z / clip.w <= camera.clip_depth(**end)).count();
+                let split = inner().filter(|end| clip.z / clip.w <= camera.clip_depth(**end as f32)).count();
                 views.into_iter().nth(split)
             }
             Select::Map => views.into_iter().find(|view| {

@@ -20,10 +20,10 @@ fn is_near_a_boundary(drawn: &Drawn, maps: &MapTexels, query: &Query) -> bool {
     let camera = drawn.plan.camera();
     let depth = camera.forward().dot(query.position - camera.eye());
     let inner = &drawn.plan.splits()[1..];
-    let split = inner.iter().filter(|c| depth >= **c).count().min(inner.len() - 1);
+    let split = inner.iter().filter(|c| depth >= **c as f32).count().min(inner.len() - 1);
     let cosine = query.normal.dot(-LIGHT.normalize()).abs().max(0.05);
     let reach = 1.5 * drawn.plan.views()[split].texel_metres / cosine;
-    if inner.iter().any(|c| (depth - c).abs() < reach) {
+    if inner.iter().any(|c| (depth - *c as f32).abs() < reach) {
         return true;
     }
     let lookup = drawn.lookup(maps);

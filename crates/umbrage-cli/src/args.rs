@@ -1,0 +1,229 @@
+//! The words of the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use glam::Vec3;
+
+/// Real-time shadows for large worlds: draw them, plan them, compare them, time them.
+#[derive(Debug, Parser)]
+#[command(name = "umbrage", version, propagate_version = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draws the default world three ways, side by side, and prints what each costs
+    Demo(DemoArgs),
+    /// Draws a picture, its visibility, or its shadow maps
+    Render(RenderArgs),
+    /// Prints where a camera's depth is cut, and the views it makes; needs no GPU
+    Plan(PlanArgs),
+    /// Times frames along the world's path
+    Bench(BenchArgs),
+    /// Lists the built-in worlds, or writes one as a .glb
+    Worlds(WorldsArgs),
+    /// Lists the graphics adapters here, the preferred one first
+    Adapters,
+    /// Lists the named settings, or prints one as TOML
+    Presets(PresetsArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct DemoArgs {
+    /// Where the picture goes
+    #[arg(short, long, value_name = "FILE.png", default_value = "umbrage-demo.png")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct RenderArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+    /// Where the picture goes
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+    /// Where a grey picture of visibility goes: 255 lit, 0 shadowed
+    #[arg(long, value_name = "FILE.png")]
+    pub visibility: Option<PathBuf>,
+    /// A folder for the shadow maps, near dark, far pale
+    #[arg(long, value_name = "DIR")]
+    pub maps: Option<PathBuf>,
+    /// Tint what each split serves
+    #[arg(long)]
+    pub splits: bool,
+    /// Draw no shadows
+    #[arg(long, conflicts_with_all = ["splits", "visibility", "maps"])]
+    pub no_shadows: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct PlanArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    /// Write JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct BenchArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+    /// Frames that are timed, evenly spaced along the world's path
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: u32,
+    /// Frames that are drawn first and not counted
+    #[arg(long, default_value_t = 5)]
+    pub warm_up: u32,
+    /// Draw no shadows
+    #[arg(long)]
+    pub no_shadows: bool,
+    /// Draw every part of the world into every shadow map, to measure what culling saves
+    #[arg(long)]
+    pub no_cull: bool,
+    /// Write JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct WorldsArgs {
+    #[command(subcommand)]
+    pub command: Option<WorldsCommand>,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum WorldsCommand {
+    /// Writes a world, built in or from a file, as a .glb
+    Export {
+        /// A built-in name, or a .glb, .gltf or .obj
+        world: String,
+        /// Where it goes
+        output: PathBuf,
+        /// What a built-in world is grown from
+        #[arg(long, default_value_t = 0)]
+        seed: u64,
+    },
+}
+
+#[derive(Debug, Args)]
+pub struct PresetsArgs {
+    /// Which one to print
+    pub name: Option<String>,
+}
+
+/// Which world, from where, lit how.
+#[derive(Debug, Args)]
+pub struct WorldArgs {
+    /// A built-in name (see `umbrage worlds`), or a .glb, .gltf or .obj
+    pub world: String,
+    /// One of the world's cameras, by number from 0 or by name
+    #[arg(long, value_name = "N")]
+    pub camera: Option<String>,
+    /// Where the camera stands, metres
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "target", allow_hyphen_values = true)]
+    pub eye: Option<Vec3>,
+    /// What the camera looks at, metres
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "eye", allow_hyphen_values = true)]
+    pub target: Option<Vec3>,
+    /// Whole vertical field of view, degrees
+    #[arg(long, value_name = "DEG")]
+    pub fov: Option<f32>,
+    /// Nearest visible depth, metres
+    #[arg(long, value_name = "M")]
+    pub near: Option<f32>,
+    /// Farthest visible depth, metres
+    #[arg(long, value_name = "M")]
+    pub far: Option<f32>,
+    /// The way sunlight travels
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, allow_hyphen_values = true)]
+    pub sun: Option<Vec3>,
+    /// Size of the picture, pixels
+    #[arg(long, value_name = "WxH", value_parser = parse_size, default_value = "1280x720")]
+    pub size: (u32, u32),
+    /// When, for things that move, seconds
+    #[arg(long, value_name = "S", default_value_t = 0.0)]
+    pub time: f32,
+    /// What a built-in world is grown from
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+}
+
+/// How shadows are made: a preset, then a file over it, then single keys over that.
+#[derive(Debug, Args)]
+pub struct ShadowArgs {
+    /// Named settings to start from (see `umbrage presets`)
+    #[arg(long, value_name = "NAME", default_value = "default")]
+    pub preset: String,
+    /// Settings from a TOML file's [shadows]
+    #[arg(long, value_name = "FILE.toml")]
+    pub shadows: Option<PathBuf>,
+    /// One setting, as splits=3 or filter.kind=pcf; repeatable
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub struct AdapterArgs {
+    /// Part of an adapter's name, backend or driver (see `umbrage adapters`)
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+}
+
+fn parse_vec3(text: &str) -> Result<Vec3, String> {
+    let numbers: Vec<f32> =
+        text.split(',').filter_map(|n| n.trim().parse().ok()).filter(|n: &f32| n.is_finite()).collect();
+    match numbers[..] {
+        [x, y, z] if text.split(',').count() == 3 => Ok(Vec3::new(x, y, z)),
+        _ => Err("wanted three numbers, as 1.5,2,-3".to_owned()),
+    }
+}
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let wanted = || "wanted width x height in pixels, as 1280x720".to_owned();
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wanted)?;
+    let (width, height) = (width.parse().map_err(|_| wanted())?, height.parse().map_err(|_| wanted())?);
+    if width == 0 || height == 0 {
+        return Err(format!("a picture needs at least one pixel each way, got {width} x {height}"));
+    }
+    Ok((width, height))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    use super::*;
+
+    #[test]
+    fn the_words_do_not_contradict_each_other() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn vectors_and_sizes_are_read_or_refused() {
+        assert_eq!(parse_vec3("1, -2.5,3e1"), Ok(Vec3::new(1.0, -2.5, 30.0)));
+        for wrong in ["", "1,2", "1,2,3,4", "a,b,c", "1,nan,2", "1,,2,3"] {
+            assert!(parse_vec3(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(parse_size("640x360"), Ok((640, 360)));
+        for wrong in ["", "640", "0x5", "5x0", "-1x5", "axb"] {
+            assert!(parse_size(wrong).is_err(), "{wrong}");
+        }
+    }
+}

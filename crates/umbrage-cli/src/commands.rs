@@ -1,0 +1,25 @@
+//! One file a subcommand.
+
+mod adapters;
+mod bench;
+mod demo;
+mod plan;
+mod presets;
+mod render;
+mod worlds;
+
+use crate::args::Command;
+use crate::failure::Outcome;
+
+/// Does what was asked for.
+pub fn run(command: Command) -> Outcome {
+    match command {
+        Command::Demo(args) => demo::run(&args),
+        Command::Render(args) => render::run(&args),
+        Command::Plan(args) => plan::run(&args),
+        Command::Bench(args) => bench::run(&args),
+        Command::Worlds(args) => worlds::run(&args),
+        Command::Adapters => adapters::run(),
+        Command::Presets(args) => presets::run(&args),
+    }
+}

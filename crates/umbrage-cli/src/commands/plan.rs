@@ -1,0 +1,95 @@
+//! `umbrage plan`: where the camera's depth is cut, and what each view covers.
+
+use serde::Serialize;
+use umbrage::{Settings, ShadowPlan};
+use umbrage_render::Show;
+
+use crate::args::PlanArgs;
+use crate::failure::{Failure, Outcome};
+use crate::{output, settings, world};
+
+/// `umbrage plan --json`.
+#[derive(Serialize)]
+struct Report<'a> {
+    world: &'a str,
+    triangles: usize,
+    settings: &'a Settings,
+    splits: &'a [f64],
+    views: Vec<View>,
+    texels: u64,
+    bytes: u64,
+}
+
+#[derive(Serialize)]
+struct View {
+    light: usize,
+    split: usize,
+    clip_from_world: [[f32; 4]; 4],
+    texel_metres: f32,
+    depths: [f32; 2],
+}
+
+pub fn run(args: &PlanArgs) -> Outcome {
+    let settings = settings::resolve(&args.shadows)?;
+    let scene = world::load(&args.world.world, args.world.seed)?;
+    let frame = world::frame(&args.world, &scene, Show::World)?;
+    let bounds = umbrage_render::bounds(&scene, frame.seconds);
+    let plan = umbrage::plan(&frame.camera, &[frame.sun], &bounds, &settings).map_err(Failure::words)?;
+    match &args.json {
+        Some(path) => output::write_json(path, &report(&scene.name, scene.triangles(), &settings, &plan))?,
+        None => output::print(&text(&plan))?,
+    }
+    Ok(())
+}
+
+fn report<'a>(world: &'a str, triangles: usize, settings: &'a Settings, plan: &'a ShadowPlan) -> Report<'a> {
+    let view = |view: &umbrage::ShadowView| View {
+        light: view.light,
+        split: view.split,
+        clip_from_world: [0, 1, 2, 3].map(|i| view.clip_from_world.row(i).to_array()),
+        texel_metres: view.texel_metres,
+        depths: [view.depths.start, view.depths.end],
+    };
+    Report {
+        world,
+        triangles,
+        settings,
+        splits: plan.splits(),
+        views: plan.views().iter().map(view).collect(),
+        texels: plan.layout().texels(),
+        bytes: plan.layout().bytes(),
+    }
+}
+
+/// Split distances in metres: the ends as given, the cuts to a micrometre.
+pub fn splits_text(splits: &[f64]) -> String {
+    let last = splits.len().saturating_sub(1);
+    let text = |(i, split): (usize, &f64)| {
+        if i == 0 || i == last { (*split as f32).to_string() } else { format!("{split:.6}") }
+    };
+    splits.iter().enumerate().map(text).collect::<Vec<_>>().join(", ")
+}
+
+fn text(plan: &ShadowPlan) -> String {
+    let mut text = format!("splits {} m\n", splits_text(plan.splits()));
+    for view in plan.views() {
+        text += &format!(
+            "light {} split {}: view depths {:.3} to {:.3} m, texel {:.4} m, depth range {:.1} m\n",
+            view.light, view.split, view.depths.start, view.depths.end, view.texel_metres, view.depth_metres
+        );
+    }
+    let layout = plan.layout();
+    text + &format!("{} texels, {} bytes\n", layout.texels(), layout.bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn splits_are_printed_as_they_were_asked_for() {
+        let settings = Settings { splits: 5, lambda: 0.75, ..Settings::default() };
+        let splits = umbrage::split_distances(0.5..300.0, &settings);
+        assert_eq!(splits_text(&splits), "0.5, 16.447912, 34.919978, 62.464941, 122.621820, 300");
+    }
+}

@@ -1,0 +1,23 @@
+//! `umbrage worlds`, `umbrage worlds export`
+
+use umbrage_scene::worlds;
+
+use crate::args::{WorldsArgs, WorldsCommand};
+use crate::failure::Outcome;
+use crate::output::print;
+use crate::world;
+
+pub fn run(args: &WorldsArgs) -> Outcome {
+    match &args.command {
+        Some(WorldsCommand::Export { world, output, seed }) => {
+            umbrage_scene::save_glb(&world::load(world, *seed)?, output)?;
+        }
+        None => {
+            for world in worlds::ALL {
+                let mark = if world.name == worlds::DEFAULT { " (default)" } else { "" };
+                print(&format!("{:<16} {}; {}{mark}\n", world.name, world.summary, world.source))?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,45 @@
+//! Why a command failed, and whose fault it is: the words' or the work's.
+
+use std::fmt;
+use std::process::ExitCode;
+
+/// A failed command.
+#[derive(Debug)]
+pub enum Failure {
+    /// The command line asks for something that does not exist, or is out of range. Exit status 2.
+    Words(anyhow::Error),
+    /// What was asked for could not be done. Exit status 1.
+    Work(anyhow::Error),
+}
+
+/// What a command returns.
+pub type Outcome<T = ()> = Result<T, Failure>;
+
+impl Failure {
+    /// The words are wrong.
+    pub fn words(message: impl fmt::Display + fmt::Debug + Send + Sync + 'static) -> Self {
+        Self::Words(anyhow::Error::msg(message))
+    }
+
+    /// The status that scripts see.
+    pub fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Words(_) => ExitCode::from(2),
+            Self::Work(_) => ExitCode::from(1),
+        }
+    }
+}
+
+impl<E: Into<anyhow::Error>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::Work(error.into())
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Self::Words(error) | Self::Work(error)) = self;
+        // One line, causes included.
+        write!(f, "{}", format!("{error:#}").replace(['\n', '\r'], " "))
+    }
+}

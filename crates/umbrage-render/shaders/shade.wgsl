@@ -1,0 +1,160 @@
+// Receivers: sun and sky on a base colour. In front of it goes umbrage's receiver text, whose bindings are group 1.
+
+struct Scene {
+    clip_from_world: mat4x4f,
+    world_from_clip: mat4x4f,
+    eye: vec3f,
+    /// 1 where the sun casts shadows, 0 where not.
+    shadows: f32,
+    /// Unit, in world space.
+    direction_to_sun: vec3f,
+    /// 1 where splits are tinted, 0 where not.
+    tint: f32,
+    /// Linear RGB of the sun's light on a surface that faces it.
+    sun: vec3f,
+}
+
+@group(0) @binding(0) var<uniform> scene: Scene;
+@group(0) @binding(1) var<storage, read> instances: array<mat4x4f>;
+
+@group(2) @binding(0) var<uniform> base_colour: vec4f;
+@group(2) @binding(1) var base_texture: texture_2d<f32>;
+@group(2) @binding(2) var base_sampler: sampler;
+
+struct Receiver {
+    @builtin(position) clip: vec4f,
+    /// From the eye, in world axes: small numbers, exact where precision is needed.
+    @location(0) from_eye: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+}
+
+@vertex
+fn receiver(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+    @location(3) instance: u32,
+) -> Receiver {
+    let world_from_mesh = instances[instance];
+    let world = (world_from_mesh * vec4f(position, 1.0)).xyz;
+    // Normals go with the cofactors, which is right under any scale; a mirror turns them over.
+    let a = world_from_mesh[0].xyz;
+    let b = world_from_mesh[1].xyz;
+    let c = world_from_mesh[2].xyz;
+    let cofactors = mat3x3f(cross(b, c), cross(c, a), cross(a, b));
+    let mirrored = dot(a, cross(b, c)) < 0.0;
+    var out: Receiver;
+    out.clip = scene.clip_from_world * vec4f(world, 1.0);
+    out.from_eye = world - scene.eye;
+    out.normal = cofactors * normal * select(1.0, -1.0, mirrored);
+    out.uv = uv;
+    return out;
+}
+
+/// Unit normal of the triangle, turned to the eye.
+fn geometric_normal(from_eye: vec3f) -> vec3f {
+    let normal = cross(dpdx(from_eye), dpdy(from_eye));
+    let turned = normal * -sign(dot(normal, from_eye));
+    return turned * inverseSqrt(max(dot(turned, turned), 1e-30));
+}
+
+/// How much sunlight reaches a fragment.
+fn visibility_at(receiver: Receiver, normal: vec3f) -> f32 {
+    if scene.shadows == 0.0 {
+        return 1.0;
+    }
+    return umbrage_visibility(scene.eye + receiver.from_eye, normal, receiver.clip.xy);
+}
+
+/// Light of the sky from a direction: pale at the horizon, blue above, ground below.
+fn sky_light(direction: vec3f) -> vec3f {
+    let zenith = vec3f(0.16, 0.33, 0.66);
+    let horizon = vec3f(0.62, 0.70, 0.80);
+    let ground = vec3f(0.20, 0.18, 0.15);
+    let up = clamp(direction.y, 0.0, 1.0);
+    let above = mix(horizon, zenith, 1.0 - pow(1.0 - up, 3.0));
+    return mix(above, ground, smoothstep(0.0, 0.25, -direction.y));
+}
+
+/// What the sky shows in a direction: its light, and a glow around the sun.
+fn sky_seen(direction: vec3f) -> vec3f {
+    let toward = max(dot(direction, scene.direction_to_sun), 0.0);
+    let glow = 0.25 * pow(toward, 24.0) + 0.6 * pow(toward, 400.0);
+    let disc = 12.0 * smoothstep(0.99994, 0.99998, toward);
+    return sky_light(direction) + scene.sun * (glow + disc) * 0.35;
+}
+
+/// Linear light to what a screen can show (the filmic curve fitted by Narkowicz, 2016).
+fn tone_mapped(light: vec3f) -> vec3f {
+    let x = light * 0.75;
+    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), vec3f(0.0), vec3f(1.0));
+}
+
+/// Colours that tell splits apart, dark to light as print goes: after Okabe and Ito.
+fn split_colour(split: u32) -> vec3f {
+    var colours = array<vec3f, 9>(
+        vec3f(0.80, 0.15, 0.05), vec3f(0.90, 0.55, 0.05), vec3f(0.05, 0.45, 0.25),
+        vec3f(0.05, 0.30, 0.70), vec3f(0.55, 0.15, 0.50), vec3f(0.10, 0.60, 0.75),
+        vec3f(0.75, 0.70, 0.10), vec3f(0.40, 0.25, 0.10), vec3f(0.50, 0.50, 0.50),
+    );
+    return colours[split % 9u];
+}
+
+/// Distance after which haze takes half of a surface's colour, metres.
+const HAZE_HALVES_AT: f32 = 2500.0;
+
+@fragment
+fn shade(receiver: Receiver) -> @location(0) vec4f {
+    let texture = textureSample(base_texture, base_sampler, receiver.uv);
+    let facing = geometric_normal(receiver.from_eye);
+    let smooth_normal = receiver.normal * inverseSqrt(max(dot(receiver.normal, receiver.normal), 1e-30));
+    let normal = select(-smooth_normal, smooth_normal, dot(smooth_normal, facing) >= 0.0);
+    var base = base_colour.rgb * texture.rgb;
+    if scene.tint > 0.0 {
+        let world = scene.eye + receiver.from_eye;
+        let view = umbrage_view_of(0u, world, facing);
+        if view != UMBRAGE_NO_VIEW {
+            base = mix(base, split_colour(view - umbrage_frame.lights[0].first_view), 0.6 * scene.tint);
+        }
+    }
+    let ambient = base * (0.5 * sky_light(normal) + 0.15 * sky_light(vec3f(0.0, 1.0, 0.0)));
+    let cosine = max(dot(normal, scene.direction_to_sun), 0.0);
+    let lit = base * scene.sun * cosine;
+    var light = umbrage_shade(ambient, lit, visibility_at(receiver, facing));
+    let distance = length(receiver.from_eye);
+    let horizontal = normalize(vec3f(receiver.from_eye.x, 0.12 * distance, receiver.from_eye.z));
+    light = mix(sky_light(horizontal), light, exp2(-distance / HAZE_HALVES_AT));
+    return vec4f(tone_mapped(light), 1.0);
+}
+
+@fragment
+fn visibility(receiver: Receiver) -> @location(0) vec4f {
+    let visible = visibility_at(receiver, geometric_normal(receiver.from_eye));
+    return vec4f(vec3f(visible), 1.0);
+}
+
+struct Sky {
+    @builtin(position) clip: vec4f,
+    @location(0) ndc: vec2f,
+}
+
+/// A triangle over the whole picture, at the far plane of reversed depth.
+@vertex
+fn sky(@builtin(vertex_index) index: u32) -> Sky {
+    let corner = vec2f(f32(index & 1u), f32(index >> 1u)) * 4.0 - 1.0;
+    return Sky(vec4f(corner, 0.0, 1.0), corner);
+}
+
+@fragment
+fn sky_shade(sky: Sky) -> @location(0) vec4f {
+    let near = scene.world_from_clip * vec4f(sky.ndc, 1.0, 1.0);
+    let far = scene.world_from_clip * vec4f(sky.ndc, 0.0, 1.0);
+    let direction = normalize(far.xyz / far.w - near.xyz / near.w);
+    return vec4f(tone_mapped(sky_seen(direction)), 1.0);
+}
+
+@fragment
+fn sky_visibility() -> @location(0) vec4f {
+    return vec4f(1.0);
+}

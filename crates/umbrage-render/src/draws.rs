@@ -1,0 +1,227 @@
+//! What is drawn into a view: which parts of which instances touch its volume, as few draws as they need.
+//!
+//! The unit is (instance, part). Today the lists are made here, on the CPU; whoever moves them to the GPU moves this file.
+
+use std::ops::Range;
+
+use glam::Mat4;
+use umbrage::{Aabb, Bounds, ConvexVolume};
+use umbrage_scene::{Instance, Scene};
+
+/// Every (part, instance) of a scene with its world box, ordered by mesh, part and instance.
+#[derive(Clone, Debug)]
+pub struct PartTable {
+    parts: Vec<PartRow>,
+    /// Parallel to all parts' instances, in order.
+    boxes: Vec<Aabb>,
+}
+
+/// A part of a mesh, and where it stands.
+#[derive(Clone, Debug)]
+struct PartRow {
+    indices: Range<u32>,
+    base_vertex: i32,
+    material: u32,
+    local: umbrage_scene::Aabb,
+    /// Indices of the instances of its mesh, in the scene's list.
+    instances: Vec<u32>,
+    /// Where its boxes start.
+    first_box: usize,
+}
+
+/// One draw: a range of indices, for a run of instances in the list of instance numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Draw {
+    /// Of the scene's index buffer.
+    pub indices: Range<u32>,
+    /// Added to every index.
+    pub base_vertex: i32,
+    /// Of the scene.
+    pub material: u32,
+    /// Of the list of instance numbers.
+    pub instances: Range<u32>,
+}
+
+/// The draws of several views, and the instance numbers that they refer to.
+#[derive(Clone, Debug, Default)]
+pub struct DrawLists {
+    /// Numbers of instances, in the scene's list.
+    pub instances: Vec<u32>,
+    /// A list a view, in the order they were added.
+    pub views: Vec<Vec<Draw>>,
+}
+
+/// Whether draws with different materials may become one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Materials {
+    /// They may not: materials are bound one by one.
+    Apart,
+    /// They may: only depth is drawn.
+    Together,
+}
+
+impl PartTable {
+    /// The table of a scene at time 0. Index ranges count from the start of the scene's index buffer, in which its
+    /// meshes follow each other.
+    pub fn new(scene: &Scene) -> Self {
+        let mut instances_of = vec![Vec::new(); scene.meshes.len()];
+        for (i, instance) in scene.instances.iter().enumerate() {
+            instances_of[instance.mesh].push(i as u32);
+        }
+        let (mut parts, mut boxes) = (Vec::new(), 0);
+        let (mut first_index, mut base_vertex) = (0, 0);
+        for (mesh, instances) in scene.meshes.iter().zip(&instances_of) {
+            for part in &mesh.parts {
+                parts.push(PartRow {
+                    indices: part.indices.start + first_index..part.indices.end + first_index,
+                    base_vertex,
+                    material: part.material as u32,
+                    local: part.bounds,
+                    instances: instances.clone(),
+                    first_box: boxes,
+                });
+                boxes += instances.len();
+            }
+            first_index += mesh.indices.len() as u32;
+            base_vertex += mesh.positions.len() as i32;
+        }
+        let mut table = Self { parts, boxes: vec![Aabb::EMPTY; boxes] };
+        table.place(&scene.instances, |_, instance| Some(instance.world_from_mesh));
+        table
+    }
+
+    /// Moves what moves: boxes of dynamic instances at time `seconds`.
+    pub fn move_to(&mut self, instances: &[Instance], seconds: f32) {
+        self.place(instances, |_, instance| {
+            instance.is_dynamic().then(|| instance.world_from_mesh_at(seconds))
+        });
+    }
+
+    fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(usize, &Instance) -> Option<Mat4>) {
+        let matrices: Vec<Option<Mat4>> =
+            instances.iter().enumerate().map(|(i, instance)| world_from_mesh(i, instance)).collect();
+        for part in &self.parts {
+            for (slot, &instance) in self.boxes[part.first_box..].iter_mut().zip(&part.instances) {
+                if let Some(matrix) = &matrices[instance as usize] {
+                    let world = part.local.transformed(matrix);
+                    *slot = Aabb { min: world.min, max: world.max };
+                }
+            }
+        }
+    }
+
+    /// What the planner needs to know of the world.
+    pub fn bounds(&self) -> Bounds {
+        let world = self.boxes.iter().fold(Aabb::EMPTY, |sum, aabb| sum.union(*aabb));
+        Bounds { world, objects: self.boxes.clone() }
+    }
+
+    /// [`Self::bounds`] of a scene at a time, for planning without a renderer.
+    pub fn bounds_at(mut self, scene: &Scene, seconds: f32) -> Bounds {
+        self.move_to(&scene.instances, seconds);
+        self.bounds()
+    }
+
+    /// Appends the draws of everything that may touch `volume`; of everything there is, where `volume` is `None`.
+    pub fn add_view(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>, materials: Materials) {
+        let mut draws: Vec<Draw> = Vec::new();
+        if volume.is_some_and(ConvexVolume::is_empty) {
+            lists.views.push(draws);
+            return;
+        }
+        for part in &self.parts {
+            let start = lists.instances.len();
+            let boxes = &self.boxes[part.first_box..part.first_box + part.instances.len()];
+            let touching = part
+                .instances
+                .iter()
+                .zip(boxes)
+                .filter(|(_, aabb)| volume.is_none_or(|v| v.may_touch_box(aabb)));
+            lists.instances.extend(touching.map(|(instance, _)| *instance));
+            if lists.instances.len() == start {
+                continue;
+            }
+            // A part that follows the last draw, on the same instances, joins it.
+            if let Some(last) = draws.last_mut() {
+                let follows = last.indices.end == part.indices.start && last.base_vertex == part.base_vertex;
+                let may_join = materials == Materials::Together || last.material == part.material;
+                let before = last.instances.start as usize..last.instances.end as usize;
+                if follows && may_join && lists.instances[before] == lists.instances[start..] {
+                    last.indices.end = part.indices.end;
+                    lists.instances.truncate(start);
+                    continue;
+                }
+            }
+            draws.push(Draw {
+                indices: part.indices.clone(),
+                base_vertex: part.base_vertex,
+                material: part.material,
+                instances: start as u32..lists.instances.len() as u32,
+            });
+        }
+        lists.views.push(draws);
+    }
+}
+
+impl Draw {
+    /// Triangles drawn.
+    pub fn triangles(&self) -> u64 {
+        u64::from(self.indices.end - self.indices.start) / 3
+            * u64::from(self.instances.end - self.instances.start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{Vec2, Vec3};
+    use umbrage_scene::{Mesh, Primitive};
+
+    use super::*;
+
+    /// A row of `count` small triangles along x, one a metre.
+    fn row(count: u32, material: usize) -> Primitive {
+        let corners = [Vec3::ZERO, Vec3::X * 0.5, Vec3::Z * 0.5];
+        let positions: Vec<Vec3> = (0..count).flat_map(|i| corners.map(|c| c + Vec3::X * i as f32)).collect();
+        let normals = vec![Vec3::Y; positions.len()];
+        let uvs = vec![Vec2::ZERO; positions.len()];
+        Primitive { normals, uvs, indices: (0..positions.len() as u32).collect(), positions, material }
+    }
+
+    fn scene() -> Scene {
+        let meshes = vec![Mesh::new("long", &[row(8192, 0)]), Mesh::new("short", &[row(4, 0), row(4, 1)])];
+        let at = |mesh, x, z| Instance::still(mesh, Mat4::from_translation(Vec3::new(x, 0.0, z)));
+        let instances = vec![at(0, 0.0, 0.0), at(1, 0.0, 50.0), at(1, 100.0, 50.0)];
+        Scene { meshes, instances, ..Scene::default() }
+    }
+
+    /// The half-space x ≤ `limit`.
+    fn before(limit: f32) -> ConvexVolume {
+        let mut matrix = Mat4::ZERO;
+        matrix.w_axis.w = limit;
+        matrix.w_axis.z = limit * 0.5;
+        matrix.x_axis.x = 1.0;
+        ConvexVolume::of_clip(&matrix)
+    }
+
+    #[test]
+    fn everything_is_a_draw_a_mesh_when_materials_go_together() {
+        let scene = scene();
+        let mut lists = DrawLists::default();
+        PartTable::new(&scene).add_view(&mut lists, None, Materials::Together);
+        PartTable::new(&scene).add_view(&mut lists, None, Materials::Apart);
+        let triangles = |view: usize| lists.views[view].iter().map(Draw::triangles).sum::<u64>();
+        assert_eq!((lists.views[0].len(), triangles(0)), (2, 8192 + 16));
+        assert_eq!((lists.views[1].len(), triangles(1)), (3, 8192 + 16));
+    }
+
+    #[test]
+    fn only_parts_that_touch_the_volume_are_drawn() {
+        let scene = scene();
+        let mut lists = DrawLists::default();
+        PartTable::new(&scene).add_view(&mut lists, Some(&before(50.0)), Materials::Together);
+        PartTable::new(&scene).add_view(&mut lists, Some(&ConvexVolume::empty()), Materials::Together);
+        // The first of four parts of the long row, and the nearer one of the two short rows.
+        assert_eq!(lists.views[0].iter().map(Draw::triangles).collect::<Vec<_>>(), [2048, 8]);
+        assert_eq!(lists.views[1], []);
+    }
+}

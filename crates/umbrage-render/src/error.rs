@@ -1,0 +1,65 @@
+//! What can go wrong between a scene and a picture.
+
+use umbrage::{CameraError, LightError, PlanError, ShadowError};
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// Nothing can draw here.
+    #[error(
+        "no graphics adapter was found; run scripts/setup, which installs a Vulkan loader and Mesa's software driver"
+    )]
+    NoAdapter,
+    /// None of the adapters is the one asked for.
+    #[error("no adapter's name or backend contains `{wanted}`; there are: {}", found.join("; "))]
+    NoSuchAdapter {
+        /// What was asked for.
+        wanted: String,
+        /// What there is.
+        found: Vec<String>,
+    },
+    /// The adapter gave no device.
+    #[error("the adapter {adapter} gave no device: {reason}")]
+    NoDevice {
+        /// Its name.
+        adapter: String,
+        /// What it said.
+        reason: String,
+    },
+    /// A picture without pixels, or with more than the adapter can draw.
+    #[error("a picture must be 1 x 1 to {most} x {most} pixels on this adapter, got {width} x {height}")]
+    PictureSize {
+        /// Wanted width, pixels.
+        width: u32,
+        /// Wanted height, pixels.
+        height: u32,
+        /// The largest side, pixels.
+        most: u32,
+    },
+    /// The scene does not fit the adapter's buffers.
+    #[error("the scene's {what} take {bytes} bytes; this adapter's buffers hold {most}")]
+    SceneTooLarge {
+        /// Which data.
+        what: &'static str,
+        /// How many bytes it needs.
+        bytes: u64,
+        /// How many there may be.
+        most: u64,
+    },
+    /// The scene's camera cannot be used.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// The scene's sun cannot be used.
+    #[error(transparent)]
+    Light(#[from] LightError),
+    /// The frame cannot be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The shadow maps cannot be made or read.
+    #[error(transparent)]
+    Shadows(#[from] ShadowError),
+    /// The device stopped answering.
+    #[error("the graphics device failed: {0}")]
+    Device(String),
+}

@@ -1,0 +1,131 @@
+//! Adapters, and a device on one of them.
+
+use umbrage::Capabilities;
+
+use crate::error::RenderError;
+
+/// An adapter, its device and its queue.
+#[derive(Debug)]
+pub struct Gpu {
+    /// What resources are made with.
+    pub device: wgpu::Device,
+    /// What work is handed to.
+    pub queue: wgpu::Queue,
+    /// Whose they are.
+    pub adapter: AdapterDescription,
+}
+
+/// An adapter in words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AdapterDescription {
+    /// The adapter's own name.
+    pub name: String,
+    /// `vulkan`, `gl`, `metal`, `dx12` or `webgpu`.
+    pub backend: String,
+    /// What kind of device it is.
+    pub kind: String,
+    /// Driver and version.
+    pub driver: String,
+    /// Whether passes can be timed on the device.
+    pub timestamps: bool,
+    /// Whether casters can be flattened onto near planes.
+    pub unclipped_depth: bool,
+}
+
+impl std::fmt::Display for AdapterDescription {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, backend, kind, driver, timestamps: _, unclipped_depth: _ } = self;
+        write!(f, "{name} ({kind}, {backend}, {driver})")
+    }
+}
+
+fn instance() -> wgpu::Instance {
+    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+}
+
+fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
+    let info = adapter.get_info();
+    let kind = match info.device_type {
+        wgpu::DeviceType::DiscreteGpu => "discrete GPU",
+        wgpu::DeviceType::IntegratedGpu => "integrated GPU",
+        wgpu::DeviceType::VirtualGpu => "virtual GPU",
+        wgpu::DeviceType::Cpu => "software",
+        wgpu::DeviceType::Other => "other",
+    };
+    AdapterDescription {
+        name: info.name,
+        backend: info.backend.to_string(),
+        kind: kind.to_owned(),
+        driver: [info.driver, info.driver_info].join(" ").trim().to_owned(),
+        timestamps: adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY),
+        unclipped_depth: adapter.features().contains(wgpu::Features::DEPTH_CLIP_CONTROL),
+    }
+}
+
+/// Hardware before software, Vulkan, Metal and DX12 before GL.
+fn preference(adapter: &wgpu::Adapter) -> (u8, u8) {
+    let info = adapter.get_info();
+    let kind = match info.device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    };
+    (u8::from(info.backend == wgpu::Backend::Gl), kind)
+}
+
+fn adapters(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    adapters.sort_by_key(preference);
+    adapters
+}
+
+impl Gpu {
+    /// Every adapter here, the one that [`Self::new`] prefers first.
+    pub fn adapters() -> Vec<AdapterDescription> {
+        adapters(&instance()).iter().map(describe).collect()
+    }
+
+    /// A device on the preferred adapter, or on the first whose description contains `wanted`, in any case.
+    ///
+    /// # Errors
+    /// When there is no such adapter, or it gives no device.
+    pub fn new(wanted: Option<&str>) -> Result<Self, RenderError> {
+        let adapters = adapters(&instance());
+        let found = || adapters.iter().map(|adapter| describe(adapter).to_string()).collect::<Vec<_>>();
+        if adapters.is_empty() {
+            return Err(RenderError::NoAdapter);
+        }
+        let matches = |adapter: &&wgpu::Adapter| {
+            let text = describe(adapter).to_string().to_lowercase();
+            wanted.is_none_or(|wanted| text.contains(&wanted.to_lowercase()))
+        };
+        let adapter = adapters.iter().find(matches).ok_or_else(|| RenderError::NoSuchAdapter {
+            wanted: wanted.unwrap_or_default().to_owned(),
+            found: found(),
+        })?;
+        let description = describe(adapter);
+        let features =
+            Capabilities::wanted_features(adapter) | (adapter.features() & wgpu::Features::TIMESTAMP_QUERY);
+        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+            label: Some("Gpu::device"),
+            required_features: features,
+            required_limits: adapter.limits(),
+            ..Default::default()
+        }))
+        .map_err(|e| RenderError::NoDevice { adapter: description.name.clone(), reason: e.to_string() })?;
+        Ok(Self { device, queue, adapter: description })
+    }
+
+    /// Waits until everything that was handed over is done.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn wait(&self) -> Result<(), RenderError> {
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map(drop)
+            .map_err(|e| RenderError::Device(e.to_string()))
+    }
+}

@@ -1,0 +1,298 @@
+//! A scene, drawn: a plan, one caster pass for each of its views, one shading pass.
+
+use std::time::Instant;
+
+use glam::Vec3;
+use umbrage::{Camera, CasterVertex, Light, MapTexels, Settings, ShadowPlan, Shadows, caster_wgsl};
+use umbrage_scene::Scene;
+
+use crate::draws::{Draw, DrawLists, Materials, PartTable};
+use crate::error::RenderError;
+use crate::gpu::Gpu;
+use crate::scene_buffers::{CASTER_BUFFERS, SceneBuffers};
+use crate::shading::Shading;
+use crate::target::{Encoding, Picture, Target};
+use crate::timing::{CASTERS, FrameTimes, PassTimer, SHADE, ViewLoad};
+
+/// What to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// From where.
+    pub camera: Camera,
+    /// The light that casts shadows.
+    pub sun: Light,
+    /// Linear RGB of its light, 1 at most.
+    pub sun_colour: Vec3,
+    /// When, for things that move.
+    pub seconds: f32,
+    /// Width, pixels.
+    pub width: u32,
+    /// Height, pixels.
+    pub height: u32,
+    /// What of it.
+    pub show: Show,
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Show {
+    /// The world with its shadows.
+    World,
+    /// The world without shadows, and without drawing any.
+    Unshadowed,
+    /// The world with its shadows, and the splits tinted.
+    Splits,
+    /// How much sunlight reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
+    Visibility,
+}
+
+/// What came of drawing a frame.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// The plan it was drawn with; without views where there are no shadows.
+    pub plan: ShadowPlan,
+    /// How long it took.
+    pub times: FrameTimes,
+    /// What was drawn into each view.
+    pub views: Vec<ViewLoad>,
+}
+
+/// A scene on a device, with shadows.
+#[derive(Debug)]
+pub struct Renderer<'a> {
+    gpu: &'a Gpu,
+    scene: &'a Scene,
+    buffers: SceneBuffers,
+    parts: PartTable,
+    shadows: Shadows,
+    casters: wgpu::RenderPipeline,
+    caster_instances: wgpu::BindGroup,
+    shading: Option<Shading>,
+    target: Option<Target>,
+    timer: PassTimer,
+    seconds: f32,
+    /// Whether parts that no view needs are left out. Off only to measure what it saves.
+    pub cull_parts: bool,
+}
+
+/// Samples a pixel in pictures of the world.
+const SAMPLES: u32 = 4;
+
+impl<'a> Renderer<'a> {
+    /// Uploads a scene, and makes shadow maps for one sun.
+    ///
+    /// # Errors
+    /// When a setting is out of range, or something exceeds the adapter's limits.
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: Settings) -> Result<Self, RenderError> {
+        let buffers = SceneBuffers::new(gpu, scene)?;
+        let shadows = Shadows::new(&gpu.device, settings)?;
+        let (casters, caster_instances) = caster_pipeline(gpu, &buffers, &shadows);
+        Ok(Self {
+            gpu,
+            scene,
+            parts: PartTable::new(scene),
+            buffers,
+            shadows,
+            casters,
+            caster_instances,
+            shading: None,
+            target: None,
+            timer: PassTimer::new(gpu)?,
+            seconds: 0.0,
+            cull_parts: true,
+        })
+    }
+
+    /// Other settings for the same scene.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; then the settings stay as they were.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
+        let shadows = Shadows::new(&self.gpu.device, settings)?;
+        (self.casters, self.caster_instances) = caster_pipeline(self.gpu, &self.buffers, &shadows);
+        self.shadows = shadows;
+        self.shading = None;
+        Ok(())
+    }
+
+    /// The shadows' side of it: settings in force, sizes, bytes.
+    pub fn shadows(&self) -> &Shadows {
+        &self.shadows
+    }
+
+    /// Draws a frame, and waits until it is done.
+    ///
+    /// # Errors
+    /// When the frame cannot be planned, the picture's size is refused, or the device fails.
+    pub fn render(&mut self, frame: &Frame) -> Result<Rendered, RenderError> {
+        self.prepare(frame)?;
+        let start = Instant::now();
+        if frame.seconds != self.seconds {
+            self.parts.move_to(&self.scene.instances, frame.seconds);
+            self.buffers.place(self.gpu, self.scene, frame.seconds);
+            self.seconds = frame.seconds;
+        }
+        let lights = if frame.show == Show::Unshadowed { &[][..] } else { std::slice::from_ref(&frame.sun) };
+        let plan = self.shadows.plan(&frame.camera, lights, &self.parts.bounds())?;
+        let lists = self.draw_lists(&plan, &frame.camera);
+        self.shadows.upload(&self.gpu.queue, &plan);
+        let numbers = bytemuck::cast_slice(&lists.instances);
+        let numbers =
+            crate::scene_buffers::filled(self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
+        let planned = start.elapsed();
+
+        self.draw_casters(&plan, &lists, &numbers);
+        // Without timestamps the stages are timed one after the other.
+        let has_timestamps = self.gpu.adapter.timestamps;
+        if !has_timestamps {
+            self.gpu.wait()?;
+        }
+        let cast = start.elapsed();
+        let camera_draws = lists.views.last().map_or(&[][..], Vec::as_slice);
+        self.draw_receivers(frame, &numbers, camera_draws)?;
+        self.gpu.wait()?;
+        let done = start.elapsed();
+
+        let milliseconds = |duration: std::time::Duration| duration.as_secs_f64() * 1e3;
+        let by_clock = (milliseconds(cast - planned), milliseconds(done - cast));
+        let (casters, shade) = self.timer.finish(self.gpu)?.unwrap_or(by_clock);
+        let times = FrameTimes { plan: milliseconds(planned), casters, shade, frame: milliseconds(done) };
+        let load = |(view, draws): (&umbrage::ShadowView, &Vec<Draw>)| ViewLoad {
+            split: view.split,
+            draws: draws.len(),
+            triangles: draws.iter().map(Draw::triangles).sum(),
+        };
+        let views = plan.views().iter().zip(&lists.views).map(load).collect();
+        Ok(Rendered { plan, times, views })
+    }
+
+    /// The picture of the last frame.
+    ///
+    /// # Errors
+    /// When the device fails, or nothing was drawn yet.
+    pub fn picture(&self) -> Result<Picture, RenderError> {
+        let nothing = || RenderError::Device("no frame was drawn yet".to_owned());
+        self.target.as_ref().ok_or_else(nothing)?.read(self.gpu)
+    }
+
+    /// The shadow maps of the last frame.
+    ///
+    /// # Errors
+    /// When the device fails, or cannot copy depth (GL).
+    pub fn maps(&self) -> Result<MapTexels, RenderError> {
+        Ok(self.shadows.read_maps(&self.gpu.device, &self.gpu.queue)?)
+    }
+
+    /// Pipelines and textures that fit the frame.
+    fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
+        let (encoding, samples) = match frame.show {
+            Show::Visibility => (Encoding::Linear, 1),
+            Show::World | Show::Unshadowed | Show::Splits => (Encoding::Srgb, SAMPLES),
+        };
+        let Frame { width, height, .. } = *frame;
+        let fits =
+            |t: &Target| (t.width, t.height, t.encoding, t.samples) == (width, height, encoding, samples);
+        if !self.target.as_ref().is_some_and(fits) {
+            self.target = Some(Target::new(self.gpu, width, height, encoding, samples)?);
+        }
+        let suits = |s: &Shading| (s.encoding, s.samples) == (encoding, samples);
+        if !self.shading.as_ref().is_some_and(suits) {
+            self.shading = Some(Shading::new(self.gpu, &self.buffers, &self.shadows, encoding, samples)?);
+        }
+        Ok(())
+    }
+
+    /// One list for each shadow view, then the camera's.
+    fn draw_lists(&self, plan: &ShadowPlan, camera: &Camera) -> DrawLists {
+        let mut lists = DrawLists::default();
+        for view in plan.views() {
+            self.parts.add_view(&mut lists, self.cull_parts.then_some(&view.casters), Materials::Together);
+        }
+        let seen = umbrage::ConvexVolume::of_clip(&camera.clip_from_world());
+        self.parts.add_view(&mut lists, Some(&seen), Materials::Apart);
+        lists
+    }
+
+    fn draw_casters(&mut self, plan: &ShadowPlan, lists: &DrawLists, numbers: &wgpu::Buffer) {
+        let mut encoder = self.encoder();
+        for (view, draws) in plan.views().iter().zip(&lists.views) {
+            self.timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
+                let mut pass = self.shadows.begin_timed(encoder, view, timestamps);
+                pass.set_pipeline(&self.casters);
+                pass.set_bind_group(1, &self.caster_instances, &[]);
+                pass.set_vertex_buffer(0, self.buffers.positions.slice(..));
+                pass.set_vertex_buffer(1, numbers.slice(..));
+                pass.set_index_buffer(self.buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+                for draw in draws {
+                    pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
+                }
+            });
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    fn draw_receivers(
+        &mut self,
+        frame: &Frame,
+        numbers: &wgpu::Buffer,
+        draws: &[Draw],
+    ) -> Result<(), RenderError> {
+        let (Some(shading), Some(target)) = (&self.shading, &self.target) else { return Ok(()) };
+        shading.upload(self.gpu, &frame.camera, &frame.sun, frame.sun_colour, frame.show)?;
+        let mut encoder = self.encoder();
+        self.timer.pass(SHADE, &mut encoder, |encoder, timestamps| {
+            let mut pass = target.begin(encoder, timestamps);
+            shading.record(&mut pass, &self.buffers, &self.shadows, numbers, draws);
+        });
+        self.timer.resolve(&mut encoder);
+        self.gpu.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+
+    fn encoder(&self) -> wgpu::CommandEncoder {
+        self.gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("Renderer::encoder") })
+    }
+}
+
+/// The pipeline that draws casters, and the instances it reads.
+fn caster_pipeline(
+    gpu: &Gpu,
+    buffers: &SceneBuffers,
+    shadows: &Shadows,
+) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
+    let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("Renderer::caster_instances"),
+        entries: &[wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::VERTEX,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Storage { read_only: true },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        }],
+    });
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("Renderer::caster_instances"),
+        layout: &layout,
+        entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffers.instances.as_entire_binding() }],
+    });
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("Renderer::casters"),
+        source: wgpu::ShaderSource::Wgsl((caster_wgsl() + include_str!("../shaders/caster.wgsl")).into()),
+    });
+    let pipeline = shadows.caster_pipeline(
+        &gpu.device,
+        &CasterVertex {
+            module: &module,
+            entry_point: "caster",
+            buffers: &CASTER_BUFFERS,
+            bind_group_layouts: &[&layout],
+            front_face: wgpu::FrontFace::Ccw,
+        },
+    );
+    (pipeline, group)
+}

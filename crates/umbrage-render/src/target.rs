@@ -1,0 +1,166 @@
+//! Where a frame is drawn when there is no window, and the picture that comes of it.
+
+use crate::error::RenderError;
+use crate::gpu::Gpu;
+
+/// A picture on the CPU: sRGB, rows from top to bottom.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Width, pixels.
+    pub width: u32,
+    /// Height, pixels.
+    pub height: u32,
+    /// `4 · width · height` bytes.
+    pub rgba: Vec<u8>,
+}
+
+/// What colour targets are. Visibility is drawn into the linear one, so that ½ is stored as 128.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Encoding {
+    Srgb,
+    Linear,
+}
+
+impl Encoding {
+    pub fn format(self) -> wgpu::TextureFormat {
+        match self {
+            Self::Srgb => wgpu::TextureFormat::Rgba8UnormSrgb,
+            Self::Linear => wgpu::TextureFormat::Rgba8Unorm,
+        }
+    }
+}
+
+pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Textures of one size, made anew when the size changes.
+#[derive(Debug)]
+pub(crate) struct Target {
+    pub width: u32,
+    pub height: u32,
+    pub encoding: Encoding,
+    pub samples: u32,
+    resolved: wgpu::Texture,
+    resolved_view: wgpu::TextureView,
+    multisampled: Option<wgpu::TextureView>,
+    depth: wgpu::TextureView,
+}
+
+impl Target {
+    pub fn new(
+        gpu: &Gpu,
+        width: u32,
+        height: u32,
+        encoding: Encoding,
+        samples: u32,
+    ) -> Result<Self, RenderError> {
+        let most = gpu.device.limits().max_texture_dimension_2d;
+        if width == 0 || height == 0 || width > most || height > most {
+            return Err(RenderError::PictureSize { width, height, most });
+        }
+        let texture = |label, format, sample_count, usage| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
+                view_formats: &[],
+            })
+        };
+        let none = wgpu::TextureUsages::empty();
+        let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let resolved = texture("Target::resolved", encoding.format(), 1, wgpu::TextureUsages::COPY_SRC);
+        let multisampled =
+            (samples > 1).then(|| view(&texture("Target::multisampled", encoding.format(), samples, none)));
+        let depth = view(&texture("Target::depth", DEPTH_FORMAT, samples, none));
+        Ok(Self {
+            width,
+            height,
+            encoding,
+            samples,
+            resolved_view: view(&resolved),
+            resolved,
+            multisampled,
+            depth,
+        })
+    }
+
+    /// Starts a pass over the whole target: colour and (reversed) depth cleared.
+    pub fn begin<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) -> wgpu::RenderPass<'e> {
+        let (view, resolve_target) = match &self.multisampled {
+            Some(multisampled) => (multisampled, Some(&self.resolved_view)),
+            None => (&self.resolved_view, None),
+        };
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("Target::pass"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: if resolve_target.is_some() {
+                        wgpu::StoreOp::Discard
+                    } else {
+                        wgpu::StoreOp::Store
+                    },
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            timestamp_writes,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        })
+    }
+
+    /// Copies the picture to the CPU, and waits for it.
+    pub fn read(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
+        let Self { width, height, .. } = *self;
+        let stride = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("Target::read"),
+            size: u64::from(stride) * u64::from(height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_texture_to_buffer(
+            self.resolved.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &buffer,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(stride),
+                    rows_per_image: Some(height),
+                },
+            },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+        gpu.queue.submit([encoder.finish()]);
+        let failed = |error: &dyn std::fmt::Display| RenderError::Device(error.to_string());
+        let (sender, receiver) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver lives until the result has come.
+            let _ = sender.send(result);
+        });
+        gpu.wait()?;
+        receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
+        let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
+        let rows = mapped.chunks_exact(stride as usize);
+        let rgba = rows.flat_map(|row| &row[..width as usize * 4]).copied().collect();
+        Ok(Picture { width, height, rgba })
+    }
+}

@@ -1,0 +1,95 @@
+//! How long a frame's stages take: on the device where it has timestamps, by the wall clock otherwise.
+
+use wgpu_profiler::{GpuProfiler, GpuProfilerSettings, GpuTimerQueryResult};
+
+use crate::error::RenderError;
+use crate::gpu::Gpu;
+
+/// Milliseconds of one frame's stages.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrameTimes {
+    /// Planning, culling and upload, on the CPU.
+    pub plan: f64,
+    /// All caster passes.
+    pub casters: f64,
+    /// The shading pass.
+    pub shade: f64,
+    /// From the start of planning to the end of shading, by the wall clock.
+    pub frame: f64,
+}
+
+/// What was drawn into one shadow view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ViewLoad {
+    /// Which split.
+    pub split: usize,
+    /// Draw calls.
+    pub draws: usize,
+    /// Triangles.
+    pub triangles: u64,
+}
+
+/// Labels that tell the passes of a frame apart.
+pub(crate) const CASTERS: &str = "casters";
+pub(crate) const SHADE: &str = "shade";
+
+/// Times passes by timestamps, where the device has them.
+pub(crate) struct PassTimer {
+    profiler: Option<GpuProfiler>,
+}
+
+impl std::fmt::Debug for PassTimer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PassTimer").field("timestamps", &self.profiler.is_some()).finish()
+    }
+}
+
+impl PassTimer {
+    pub fn new(gpu: &Gpu) -> Result<Self, RenderError> {
+        let has_timestamps = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let settings = GpuProfilerSettings::default();
+        let profiler = has_timestamps.then(|| GpuProfiler::new(&gpu.device, settings)).transpose();
+        Ok(Self { profiler: profiler.map_err(|e| RenderError::Device(e.to_string()))? })
+    }
+
+    /// Runs `record` with the timestamps of a pass labelled `label`, if there are any.
+    pub fn pass(
+        &self,
+        label: &str,
+        encoder: &mut wgpu::CommandEncoder,
+        record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::RenderPassTimestampWrites<'_>>),
+    ) {
+        match &self.profiler {
+            None => record(encoder, None),
+            Some(profiler) => {
+                let query = profiler.begin_pass_query(label, encoder);
+                record(encoder, query.render_pass_timestamp_writes());
+                profiler.end_query(encoder, query);
+            }
+        }
+    }
+
+    pub fn resolve(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        if let Some(profiler) = &mut self.profiler {
+            profiler.resolve_queries(encoder);
+        }
+    }
+
+    /// Milliseconds of all passes labelled `CASTERS` and of the one labelled `SHADE`, once the frame is done. `None`
+    /// where the device has no timestamps.
+    pub fn finish(&mut self, gpu: &Gpu) -> Result<Option<(f64, f64)>, RenderError> {
+        let Some(profiler) = &mut self.profiler else { return Ok(None) };
+        profiler.end_frame().map_err(|e| RenderError::Device(e.to_string()))?;
+        gpu.wait()?;
+        let results = profiler.process_finished_frame(gpu.queue.get_timestamp_period()).unwrap_or_default();
+        let total = |label: &str| -> f64 {
+            let spans = results.iter().filter(|result| result.label == label);
+            spans.filter_map(milliseconds).sum()
+        };
+        Ok(Some((total(CASTERS), total(SHADE))))
+    }
+}
+
+fn milliseconds(result: &GpuTimerQueryResult) -> Option<f64> {
+    result.time.as_ref().map(|time| (time.end - time.start) * 1e3)
+}

@@ -1,0 +1,110 @@
+//! What can go wrong with a scene's file, each in one line that ends with the file.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use thiserror::Error;
+
+/// Why a scene could not be read or written. Every message is one line.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// The operating system would not give us the file.
+    #[error("cannot read the file, {reason}: {path}")]
+    Read {
+        /// What the operating system says.
+        reason: String,
+        /// Which file.
+        path: String,
+    },
+    /// The file's name does not tell a format that is known.
+    #[error("need a file that ends in .glb, .gltf or .obj: {path}")]
+    UnknownKind {
+        /// Which file.
+        path: String,
+    },
+    /// The file's content is not a scene.
+    #[error("{fault}: {path}")]
+    Malformed {
+        /// What is wrong, and what was wanted.
+        fault: String,
+        /// Which file.
+        path: String,
+    },
+    /// The scene has no place in a glTF file, because its values contradict each other or are not finite.
+    #[error("{fault}, in scene {scene:?}")]
+    Unwritable {
+        /// What is wrong, and what was wanted.
+        fault: String,
+        /// The scene's name.
+        scene: String,
+    },
+    /// The operating system would not take the file.
+    #[error("cannot write the file, {reason}: {path}")]
+    Write {
+        /// What the operating system says.
+        reason: String,
+        /// Which file.
+        path: String,
+    },
+}
+
+impl SceneError {
+    pub(crate) fn read(reason: impl Display, path: &Path) -> Self {
+        Self::Read { reason: one_line(reason), path: one_line(path.display()) }
+    }
+
+    pub(crate) fn write(reason: impl Display, path: &Path) -> Self {
+        Self::Write { reason: one_line(reason), path: one_line(path.display()) }
+    }
+}
+
+/// What is wrong with a file, by someone who does not know which file it is.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Fault(pub String);
+
+impl Fault {
+    /// The same fault, in the file called `path`.
+    pub fn in_file(self, path: impl Display) -> SceneError {
+        SceneError::Malformed { fault: one_line(self.0), path: one_line(path) }
+    }
+
+    /// The same fault, in a scene that was to be written.
+    pub fn in_scene(self, name: &str) -> SceneError {
+        SceneError::Unwritable { fault: one_line(self.0), scene: one_line(name) }
+    }
+}
+
+/// Enough for any message of ours; files may hold names as long as they like.
+const LONGEST_CHARS: usize = 300;
+
+/// The text without line breaks and other control characters, cut where it is absurdly long.
+pub(crate) fn one_line(text: impl Display) -> String {
+    let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+    let text = text.to_string();
+    let mut chars = text.chars().map(|c| if breaks(c) { ' ' } else { c });
+    let mut line: String = chars.by_ref().take(LONGEST_CHARS).collect();
+    if chars.next().is_some() {
+        line.push('…');
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fault_is_one_line_that_ends_with_the_file() {
+        let error =
+            Fault("index 9 of a mesh with 4 vertices,\nin mesh \"knight\"".to_owned()).in_file("bunny.glb");
+        assert_eq!(error.to_string(), "index 9 of a mesh with 4 vertices, in mesh \"knight\": bunny.glb");
+    }
+
+    #[test]
+    fn a_name_of_a_megabyte_is_cut() {
+        let line = one_line("x".repeat(1 << 20));
+        assert_eq!(line.chars().count(), LONGEST_CHARS + 1);
+        assert!(line.ends_with('…'));
+    }
+}

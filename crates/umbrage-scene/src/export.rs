@@ -1,0 +1,115 @@
+//! A scene to one binary glTF file, such that reading it gives the same bits again.
+//!
+//! Each mesh has one accessor for each attribute, which all its primitives share, and one primitive for each part: parts
+//! are small enough to be parts again. Instances, cameras and lights are nodes with matrices, side by side. Left out:
+//! meshes without triangles, their instances, and textures that no material uses. What glTF has no words for is in
+//! `extras.rs`.
+
+mod bytes;
+mod pieces;
+
+use std::borrow::Cow;
+use std::fs;
+use std::path::Path;
+
+use glam::Mat4;
+use gltf::binary::{Glb, Header};
+use gltf::json::{Asset, Index, Mesh as JsonMesh, Node, Root, Scene as JsonScene};
+
+use self::bytes::Document;
+use crate::error::{Fault, SceneError};
+use crate::{Scene, extras};
+
+/// The bytes of a `.glb` file that holds the scene.
+///
+/// # Errors
+///
+/// When an index between the scene's lists is out of range, a list is too short, a number is not finite, or the file
+/// would be larger than its format allows, 4 GiB.
+pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
+    write(scene).map_err(|fault| fault.in_scene(&scene.name))
+}
+
+/// Writes the scene to a `.glb` file. It first has another name beside its own, so that a file that is there is whole.
+///
+/// # Errors
+///
+/// As [`to_glb`], and when the file cannot be written.
+pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SceneError> {
+    let bytes = to_glb(scene)?;
+    let Some(name) = path.file_name() else {
+        return Err(SceneError::write("it has no name", path));
+    };
+    let mut unfinished = name.to_owned();
+    unfinished.push(format!(".{}.part", std::process::id()));
+    let unfinished = path.with_file_name(unfinished);
+    fs::write(&unfinished, bytes).and_then(|()| fs::rename(&unfinished, path)).map_err(|why| {
+        // It may not be there; the reason to tell is the first.
+        let _ = fs::remove_file(&unfinished);
+        SceneError::write(why, path)
+    })
+}
+
+fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
+    let Scene { name, meshes, instances, materials, textures, cameras, lights, path } = scene;
+    let mut document = Document::new(Root {
+        asset: Asset { generator: Some("umbrage".to_owned()), ..Asset::default() },
+        ..Root::default()
+    });
+    pieces::add_materials(&mut document, materials, textures)?;
+    let mut places: Vec<Option<Index<JsonMesh>>> = Vec::with_capacity(meshes.len());
+    for mesh in meshes {
+        let empty = mesh.triangles() == 0;
+        places.push(if empty { None } else { Some(pieces::add_mesh(&mut document, mesh)?) });
+    }
+
+    let mut nodes = Vec::new();
+    for instance in instances {
+        let Some(place) = places.get(instance.mesh) else {
+            return Err(Fault(format!("an instance of mesh {} of {}", instance.mesh, places.len())));
+        };
+        if let Some(mesh) = *place {
+            let extras = extras::of_motion(&instance.motion)?;
+            nodes.push(Node { mesh: Some(mesh), extras, ..node(instance.world_from_mesh)? });
+        }
+    }
+    for camera in cameras {
+        let index = pieces::add_camera(&mut document, camera)?;
+        nodes.push(Node {
+            camera: Some(index),
+            name: Some(camera.name.clone()),
+            ..node(camera.world_from_camera)?
+        });
+    }
+    for light in lights {
+        let extensions = Some(pieces::add_light(&mut document, light)?);
+        nodes.push(Node { extensions, name: Some(light.name.clone()), ..node(light.world_from_light)? });
+    }
+    let nodes = nodes.into_iter().map(|node| document.root.push(node)).collect();
+    let extras = extras::of_path(path)?;
+    let index = document.root.push(JsonScene { name: Some(name.clone()), nodes, extensions: None, extras });
+    document.root.scene = Some(index);
+    pack(document)
+}
+
+/// A node that stands there. The matrix is written even where it is the identity: its zeros have signs.
+fn node(world_from_node: Mat4) -> Result<Node, Fault> {
+    if !world_from_node.is_finite() {
+        return Err(Fault(format!("a matrix that is not finite, {world_from_node}")));
+    }
+    Ok(Node { matrix: Some(world_from_node.to_cols_array()), ..Node::default() })
+}
+
+/// Both chunks, with their headers.
+fn pack(document: Document) -> Result<Vec<u8>, Fault> {
+    let (root, binary) = document.finish();
+    let json = root.to_vec().map_err(|why| Fault(format!("no JSON for it, {why}")))?;
+    // Two headers, and padding.
+    let length = json.len() as u64 + binary.len() as u64 + 64;
+    if length > u64::from(u32::MAX) {
+        return Err(Fault(format!("a file of {length} bytes, the format allows {}", u32::MAX)));
+    }
+    let binary = (!binary.is_empty()).then_some(Cow::Owned(binary));
+    let header = Header { magic: *b"glTF", version: 2, length: 0 };
+    Glb { header, json: json.into(), bin: binary }.to_vec().map_err(|why| Fault(why.to_string()))
+}

@@ -1,0 +1,86 @@
+//! Files to scenes: glTF 2.0, text or binary, and Wavefront OBJ.
+//!
+//! A file is not trusted. Whatever it says, the answer is a whole scene or one line that tells what is wrong; it never
+//! panics, and never takes much more memory than the file and the limits in `budget.rs` explain.
+
+mod budget;
+mod files;
+mod finish;
+mod gltf;
+mod normals;
+mod obj;
+mod pictures;
+mod warnings;
+
+use std::fs;
+use std::path::Path;
+
+use self::files::Files;
+pub(crate) use self::pictures::LONGEST_SIDE_PX;
+use self::warnings::Warnings;
+use crate::Scene;
+use crate::error::{Fault, SceneError};
+
+/// A scene from a file, and what of the file is not in it.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The scene; it has triangles, cameras, lights and a camera path, even where the file has not.
+    pub scene: Scene,
+    /// What was left out, a line a kind.
+    pub warnings: Vec<String>,
+}
+
+/// Reads a `.glb`, `.gltf` or `.obj` file, and the files it refers to.
+///
+/// Where the file has no camera, one that sees everything is added; where it has no light, a sun; where it has no
+/// camera path, a quarter orbit that ends in the first camera's view.
+///
+/// # Errors
+///
+/// When a file cannot be read, is of another kind, is malformed, needs an extension that is not supported, or has no
+/// triangles.
+pub fn load(path: &Path) -> Result<Imported, SceneError> {
+    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    let read = match extension.as_deref() {
+        Some("glb" | "gltf") => gltf::read,
+        Some("obj") => obj::read,
+        _ => return Err(SceneError::UnknownKind { path: crate::error::one_line(path.display()) }),
+    };
+    let kind = fs::metadata(path).map_err(|why| SceneError::read(why, path))?;
+    if !kind.is_file() {
+        return Err(SceneError::read("it is not a regular file", path));
+    }
+    let bytes = fs::read(path).map_err(|why| SceneError::read(why, path))?;
+    let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    import(read, &bytes, &name, Files::beside(path)).map_err(|fault| fault.in_file(path.display()))
+}
+
+/// Reads the bytes of a `.glb` or `.gltf` file; its buffers and pictures must be inside, or in data URIs. `name`
+/// becomes the scene's name, and stands for the file in errors.
+///
+/// # Errors
+///
+/// As [`load`], and when the bytes refer to a file.
+pub fn load_glb_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> {
+    import(gltf::read, bytes, name, Files::none()).map_err(|fault| fault.in_file(name))
+}
+
+/// Reads the text of an `.obj` file; material libraries are left out with a warning. `name` becomes the scene's name,
+/// and stands for the file in errors.
+///
+/// # Errors
+///
+/// As [`load`].
+pub fn load_obj_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> {
+    import(obj::read, bytes, name, Files::none()).map_err(|fault| fault.in_file(name))
+}
+
+/// A format's reader: the bytes of the file, the scene's name, the files around it.
+type Read = fn(&[u8], &str, Files<'_>, &mut Warnings) -> Result<Scene, Fault>;
+
+fn import(read: Read, bytes: &[u8], name: &str, files: Files<'_>) -> Result<Imported, Fault> {
+    let mut warnings = Warnings::default();
+    let mut scene = read(bytes, name, files, &mut warnings)?;
+    finish::finish(&mut scene)?;
+    Ok(Imported { scene, warnings: warnings.into_lines() })
+}

@@ -1,0 +1,44 @@
+//! How much a file may make of itself. A few bytes that say "the same again" must not fill the memory.
+
+use crate::error::Fault;
+
+/// What may still be read of the file.
+#[derive(Debug)]
+pub(super) struct Budget {
+    vertices: usize,
+    corners: usize,
+    pixels: usize,
+}
+
+impl Budget {
+    /// Vertices in all: a gibibyte of positions, normals and texture coordinates.
+    pub const VERTICES: usize = 1 << 25;
+    /// Corners of triangles in all: 22 million triangles, instances counted once.
+    pub const CORNERS: usize = 1 << 26;
+    /// Pixels of all textures together: one of 16384 by 16384, a gibibyte.
+    pub const PIXELS: usize = 1 << 28;
+
+    pub fn new() -> Self {
+        Self { vertices: Self::VERTICES, corners: Self::CORNERS, pixels: Self::PIXELS }
+    }
+
+    /// Takes room for `count` more vertices.
+    pub fn vertices(&mut self, count: usize) -> Result<(), Fault> {
+        take(&mut self.vertices, count, "vertices", Self::VERTICES)
+    }
+
+    /// Takes room for `count` more corners of triangles.
+    pub fn corners(&mut self, count: usize) -> Result<(), Fault> {
+        take(&mut self.corners, count, "corners of triangles", Self::CORNERS)
+    }
+
+    /// Takes room for a picture.
+    pub fn pixels(&mut self, width: u32, height: u32) -> Result<(), Fault> {
+        take(&mut self.pixels, (width as usize).saturating_mul(height as usize), "pixels", Self::PIXELS)
+    }
+}
+
+fn take(left: &mut usize, count: usize, what: &str, most: usize) -> Result<(), Fault> {
+    *left = left.checked_sub(count).ok_or_else(|| Fault(format!("more than {most} {what} in all")))?;
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! What every imported scene has in the end: triangles, finite bounds, a camera, a light, and a camera path.
+//!
+//! Space: world space, metres.
+
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_3};
+
+use glam::{Quat, Vec3};
+
+use crate::error::Fault;
+use crate::{Aabb, Camera, CameraPath, Light, PathKey, Scene};
+
+/// Coordinates beyond this, metres, are a mistake, and their cubes would overflow.
+const FARTHEST: f32 = 1e12;
+
+/// From the middle of the scene to the camera that is added: across the light that is added, so shadows show.
+const TOWARDS_CAMERA: Vec3 = Vec3::new(-0.6, 0.6, 1.0);
+
+/// The way the light travels that is added.
+const SUNLIGHT: Vec3 = Vec3::new(-0.4, -1.0, -0.3);
+
+/// As bright as the sun of the built-in worlds, lux.
+const SUN_LUX: f32 = 3.0;
+
+/// Where the quarter orbit is fixed: every 22.5°.
+const ORBIT_KEYS: u8 = 5;
+
+/// Adds what the file left out. Cameras whose `far` is infinite get a far plane behind the scene's farthest point.
+pub(super) fn finish(scene: &mut Scene) -> Result<(), Fault> {
+    if scene.instances.is_empty() {
+        return Err(Fault("no triangles in the scene".to_owned()));
+    }
+    let bounds = scene.bounds_at(0.0);
+    let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
+    if farthest.is_nan() || farthest > FARTHEST {
+        return Err(Fault(format!("the scene reaches to {farthest:e} m, need at most {FARTHEST:e} m")));
+    }
+    if scene.cameras.is_empty() {
+        scene.cameras.push(camera_that_sees(bounds));
+    }
+    for camera in &mut scene.cameras {
+        if camera.far.is_infinite() {
+            camera.far = (camera.eye().distance(bounds.centre()) + radius(bounds)).max(10.0 * camera.near);
+        }
+    }
+    if scene.lights.is_empty() {
+        scene.lights.push(Light::sun(SUNLIGHT, SUN_LUX));
+    }
+    if scene.path.keys.is_empty() {
+        scene.path = quarter_orbit(&scene.cameras[0], bounds.centre());
+    }
+    Ok(())
+}
+
+/// A camera that has the whole box in view wherever the picture is at least as wide as high.
+fn camera_that_sees(bounds: Aabb) -> Camera {
+    let radius = radius(bounds);
+    // A sphere fits a cone of half angle 30° at twice its radius; a little air around it.
+    let distance = 2.1 * radius;
+    let eye = bounds.centre() + TOWARDS_CAMERA.normalize() * distance;
+    // Near enough to fly around in the scene.
+    let (near, far) = (radius / 50.0, distance + 1.1 * radius);
+    Camera::looking("overview", eye, bounds.centre(), FRAC_PI_3, near, far)
+}
+
+/// Half the diagonal; a millimetre where there is none.
+fn radius(bounds: Aabb) -> f32 {
+    (bounds.size().length() * 0.5).max(1e-3)
+}
+
+/// A quarter turn about the vertical through `centre` that ends in the camera's own view.
+fn quarter_orbit(camera: &Camera, centre: Vec3) -> CameraPath {
+    let from_centre = camera.eye() - centre;
+    let ahead = camera.forward() * from_centre.length().max(camera.near);
+    let key = |i: u8| {
+        let turn = Quat::from_rotation_y(-FRAC_PI_2 * (1.0 - f32::from(i) / f32::from(ORBIT_KEYS - 1)));
+        let eye = centre + turn * from_centre;
+        PathKey { eye, target: eye + turn * ahead }
+    };
+    CameraPath { keys: (0..ORBIT_KEYS).map(key).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: Aabb = Aabb { min: Vec3::new(-3.0, 0.0, 5.0), max: Vec3::new(7.0, 2.0, 9.0) };
+
+    #[test]
+    fn the_added_camera_has_every_corner_in_view() {
+        let camera = camera_that_sees(BOX);
+        let camera_from_world = camera.world_from_camera.inverse();
+        for corner in 0..8 {
+            let pick = |bit: u8, i: usize| if corner >> bit & 1 == 0 { BOX.min[i] } else { BOX.max[i] };
+            let seen = camera_from_world.transform_point3(Vec3::new(pick(0, 0), pick(1, 1), pick(2, 2)));
+            let depth = -seen.z;
+            assert!(camera.near < depth && depth < camera.far, "corner {corner} at depth {depth}");
+            assert!(
+                seen.x.abs().max(seen.y.abs()) < depth * (FRAC_PI_3 / 2.0).tan(),
+                "corner {corner} at {seen}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_orbit_ends_in_the_cameras_own_view() {
+        let camera = camera_that_sees(BOX);
+        let path = quarter_orbit(&camera, BOX.centre());
+        let end = path.world_from_camera(1.0).unwrap();
+        assert!(
+            end.abs_diff_eq(camera.world_from_camera, 1e-4),
+            "{end} against {}",
+            camera.world_from_camera
+        );
+        let start = path.world_from_camera(0.0).unwrap();
+        assert!(start.w_axis.distance(camera.world_from_camera.w_axis) > 10.0, "it moves: {start}");
+    }
+}

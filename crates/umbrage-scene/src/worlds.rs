@@ -1,0 +1,106 @@
+//! The built-in worlds: large scenes made in code, after those that shadow papers were measured on.
+//!
+//! Each world is deterministic: the same name and seed give the same scene. Each has at least the cameras "main",
+//! "far" (all of it), "close" (the edge of a shadow), "split" (along the ground, so that split planes cross visible
+//! shadows) and "dueling" (against the light, the hardest case for warped shadow maps), and a flight path.
+
+mod brick_ground;
+mod huge_chessboard;
+mod knights;
+mod mining_terrain;
+mod paint;
+mod picture;
+mod primitives;
+mod robot_war;
+mod scanned;
+mod stage;
+
+#[cfg(test)]
+mod tests;
+
+pub(crate) use paint::Paint;
+pub(crate) use stage::{Dice, put};
+
+use crate::Scene;
+
+/// A world that can be built.
+#[derive(Clone, Copy, Debug)]
+pub struct World {
+    /// What it is called on the command line.
+    pub name: &'static str,
+    /// The publication it is modelled after.
+    pub source: &'static str,
+    /// What is in it, in one line.
+    pub summary: &'static str,
+    build: fn(u64) -> Scene,
+}
+
+impl World {
+    /// Makes it. The same `seed` gives the same scene; seed 0 is the one in the pictures.
+    pub fn build(&self, seed: u64) -> Scene {
+        (self.build)(seed)
+    }
+}
+
+/// The world that is shown when none is asked for.
+pub const DEFAULT: &str = "mining-terrain";
+
+const THESIS: &str = "the thesis on real-time shadows, figure 5.5";
+const PSSM: &str = "Zhang et al. 2006, table 1";
+
+/// All built-in worlds, small ones first.
+pub const ALL: &[World] = &[
+    World {
+        name: "primitives",
+        source: THESIS,
+        summary: "1,300 triangles of basic solids on a ground",
+        build: primitives::build,
+    },
+    World {
+        name: "bunny",
+        source: THESIS,
+        summary: "the Stanford bunny, 3 m tall, on a ground",
+        build: scanned::bunny,
+    },
+    World {
+        name: "dragon",
+        source: THESIS,
+        summary: "the Stanford dragon, 4 m tall, on a ground",
+        build: scanned::dragon,
+    },
+    World {
+        name: "brick-ground",
+        source: "a shadow-mapping tutorial project with a fighter, a helicopter and UFOs",
+        summary: "static and rotating objects over 200 m of repeated brick",
+        build: brick_ground::build,
+    },
+    World {
+        name: "robot-war",
+        source: PSSM,
+        summary: "160 static robots on 1.44 km², 240 K triangles",
+        build: robot_war::build,
+    },
+    World {
+        name: "huge-chessboard",
+        source: PSSM,
+        summary: "32 chessmen on a board of 0.49 km², 51 K triangles",
+        build: huge_chessboard::build,
+    },
+    World {
+        name: "knights",
+        source: PSSM,
+        summary: "15 dwarfs and 15 knights on the march, trees and cacti on 1.6 km² of desert, 1 M triangles",
+        build: knights::build,
+    },
+    World {
+        name: "mining-terrain",
+        source: PSSM,
+        summary: "clawbots, windmills, rocks and trees around an open pit of 2.56 km², 1.3 M triangles",
+        build: mining_terrain::build,
+    },
+];
+
+/// The world called `name`, or `None` where there is none.
+pub fn build(name: &str, seed: u64) -> Option<Scene> {
+    ALL.iter().find(|world| world.name == name).map(|world| world.build(seed))
+}

@@ -1,0 +1,198 @@
+//! What every built-in world needs: a scene under construction, dice, and room for things that must not overlap.
+
+use glam::{Affine3A, Mat4, Quat, Vec2, Vec3};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+use super::Paint;
+use crate::shape::Model;
+use crate::{
+    Camera, CameraPath, Instance, Light, Material, Mesh, Motion, PathKey, Primitive, Scene, Texture,
+};
+
+/// How all cameras of a world see.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    /// Whole vertical field of view, degrees.
+    pub fov_degrees: f32,
+    /// Nearest visible depth, metres.
+    pub near: f32,
+    /// Farthest visible depth, metres.
+    pub far: f32,
+}
+
+/// A scene under construction.
+#[derive(Debug)]
+pub(crate) struct Stage {
+    pub scene: Scene,
+    pub dice: Dice,
+    view: View,
+    sun_along: Vec3,
+}
+
+impl Stage {
+    /// An empty world whose sun shines along `sun_along` (any length).
+    pub fn new(name: &str, seed: u64, view: View, sun_along: Vec3) -> Self {
+        let scene = Scene {
+            name: name.to_owned(),
+            materials: Paint::materials(),
+            lights: vec![Light::sun(sun_along, 3.0)],
+            ..Scene::default()
+        };
+        Self { scene, dice: Dice::new(seed), view, sun_along: sun_along.normalize() }
+    }
+
+    /// Adds a mesh of paints; nothing is placed yet.
+    pub fn mesh(&mut self, name: &str, model: &Model) -> usize {
+        self.scene.meshes.push(model.mesh(name));
+        self.scene.meshes.len() - 1
+    }
+
+    /// Adds a ground, which stands where it is.
+    pub fn ground(&mut self, primitives: &[Primitive]) {
+        self.scene.meshes.push(Mesh::new("ground", primitives));
+        let mesh = self.scene.meshes.len() - 1;
+        self.place(mesh, Mat4::IDENTITY);
+    }
+
+    /// Adds a material with a picture.
+    pub fn textured(&mut self, texture: Texture) -> usize {
+        self.scene.materials.push(Material {
+            texture: Some(self.scene.textures.len()),
+            ..Material::plain(&texture.name, 1.0, 1.0, 1.0)
+        });
+        self.scene.textures.push(texture);
+        self.scene.materials.len() - 1
+    }
+
+    /// Places a mesh that stands still.
+    pub fn place(&mut self, mesh: usize, world_from_mesh: Mat4) {
+        self.scene.instances.push(Instance::still(mesh, world_from_mesh));
+    }
+
+    /// Places a mesh that turns about `axis` through `centre`.
+    pub fn place_turning(
+        &mut self,
+        mesh: usize,
+        at: Mat4,
+        centre: Vec3,
+        axis: Vec3,
+        radians_per_second: f32,
+    ) {
+        let motion = Motion::Turn { centre, axis, radians_per_second };
+        self.scene.instances.push(Instance { mesh, world_from_mesh: at, motion });
+    }
+
+    /// Places a mesh that marches around `centre` at `metres_per_second`, counter-clockwise seen from above where that
+    /// is positive, at `angle` of the circle to begin with.
+    pub fn place_marching(
+        &mut self,
+        mesh: usize,
+        centre: Vec3,
+        radius: f32,
+        angle: f32,
+        size: f32,
+        pace: f32,
+    ) {
+        let out = Vec3::new(angle.cos(), 0.0, -angle.sin());
+        let ahead = if pace >= 0.0 { angle + std::f32::consts::PI } else { angle };
+        self.place_turning(
+            mesh,
+            standing(centre + out * radius, ahead, size),
+            centre,
+            Vec3::Y,
+            pace / radius,
+        );
+    }
+
+    /// Adds a camera; the first is the main one.
+    pub fn look(&mut self, name: &str, eye: Vec3, target: Vec3) {
+        let View { fov_degrees, near, far } = self.view;
+        self.scene.cameras.push(Camera::looking(name, eye, target, fov_degrees.to_radians(), near, far));
+    }
+
+    /// Adds the overview: as [`Self::look`], but sees as far as the world is wide.
+    pub fn look_far(&mut self, eye: Vec3, target: Vec3) {
+        self.look("far", eye, target);
+        if let Some(camera) = self.scene.cameras.last_mut() {
+            camera.far = camera.far.max(eye.distance(target) * 2.5);
+        }
+    }
+
+    /// Adds the dueling camera at `eye`: it looks into the sun, but `dip_degrees` lower, so that land is in view.
+    pub fn look_into_sun(&mut self, eye: Vec3, dip_degrees: f32) {
+        let level = Vec3::new(-self.sun_along.x, 0.0, -self.sun_along.z).normalize();
+        let elevation = (-self.sun_along.y).asin() - dip_degrees.to_radians();
+        self.look("dueling", eye, eye + level * elevation.cos() + Vec3::Y * elevation.sin());
+    }
+
+    /// The flight through the world, as (eye, target) keys.
+    pub fn fly(&mut self, keys: &[(Vec3, Vec3)]) {
+        self.scene.path =
+            CameraPath { keys: keys.iter().map(|&(eye, target)| PathKey { eye, target }).collect() };
+    }
+}
+
+/// Stands at `feet`, turned from facing +Z by `yaw` radians towards +X, `size` times as large.
+pub(crate) fn standing(feet: Vec3, yaw: f32, size: f32) -> Mat4 {
+    Mat4::from_scale_rotation_translation(Vec3::splat(size), Quat::from_rotation_y(yaw), feet)
+}
+
+/// For joining models: turned by `yaw` radians about Y, then shifted.
+pub(crate) fn put(x: f32, y: f32, z: f32, yaw: f32) -> Affine3A {
+    Affine3A::from_rotation_translation(Quat::from_rotation_y(yaw), Vec3::new(x, y, z))
+}
+
+/// Where chance comes from.
+#[derive(Debug)]
+pub(crate) struct Dice(Pcg64Mcg);
+
+impl Dice {
+    /// The same seed gives the same throws.
+    pub fn new(seed: u64) -> Self {
+        Self(Pcg64Mcg::seed_from_u64(seed))
+    }
+
+    /// Evenly between `low` and `high`.
+    pub fn between(&mut self, low: f32, high: f32) -> f32 {
+        /// Steps of the finest even spread that f32 holds between 0 and 1.
+        const STEPS: f32 = (1 << 24) as f32;
+        low + (high - low) * ((self.0.next_u32() >> 8) as f32 / STEPS)
+    }
+
+    /// Any angle, radians.
+    pub fn angle(&mut self) -> f32 {
+        self.between(0.0, std::f32::consts::TAU)
+    }
+
+    /// One of 0 to `count` − 1.
+    pub fn pick(&mut self, count: usize) -> usize {
+        (self.between(0.0, count as f32) as usize).min(count - 1)
+    }
+}
+
+/// Circles on the ground that are taken.
+#[derive(Debug, Default)]
+pub(crate) struct Room(Vec<(Vec2, f32)>);
+
+impl Room {
+    /// Takes a circle, whether free or not.
+    pub fn take(&mut self, x: f32, z: f32, radius: f32) {
+        self.0.push((Vec2::new(x, z), radius));
+    }
+
+    /// The first free circle of `radius` among the places that `propose` comes up with; it is taken from now on.
+    pub fn find(&mut self, radius: f32, mut propose: impl FnMut() -> Vec2) -> Vec2 {
+        /// Crowded worlds need some tens of tries; a proposal that is never free must still end.
+        const TRIES: usize = 4096;
+        let mut place = propose();
+        for _ in 0..TRIES {
+            if self.0.iter().all(|(other, r)| other.distance(place) >= r + radius) {
+                break;
+            }
+            place = propose();
+        }
+        self.0.push((place, radius));
+        place
+    }
+}

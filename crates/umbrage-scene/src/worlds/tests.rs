@@ -1,0 +1,131 @@
+use glam::{Mat4, Vec3};
+
+use super::*;
+use crate::Lens;
+
+/// What a world is to be: name, triangles, area in km², casters, moving ones, and near and far of the main camera.
+type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
+
+const TABLE: [Row; 8] = [
+    ("primitives", 1_300, 0.0016, 17, 0, [1.0, 80.0]),
+    ("bunny", 3_676, 0.0009, 1, 0, [0.5, 100.0]),
+    ("dragon", 47_796, 0.0009, 1, 0, [0.5, 100.0]),
+    ("brick-ground", 60_000, 0.04, 64, 6, [0.5, 200.0]),
+    ("robot-war", 240_000, 1.44, 160, 0, [1.0, 800.0]),
+    ("huge-chessboard", 51_000, 0.49, 32, 0, [1.0, 800.0]),
+    ("knights", 1_000_000, 1.6, 60, 30, [1.0, 800.0]),
+    // A windmill is a tower and a rotor.
+    ("mining-terrain", 1_300_000, 2.56, 10 + 2 * 15 + 20 + 10, 25, [1.0, 1000.0]),
+];
+
+/// The surfaces that others stand on.
+fn is_ground(scene: &Scene, mesh: usize) -> bool {
+    ["ground", "frame"].contains(&scene.meshes[mesh].name.as_str())
+}
+
+/// The height of the ground at the (x, z) of `point`; minus infinity beyond its edge.
+fn height_below(scene: &Scene, point: Vec3) -> f32 {
+    let mut highest = f32::NEG_INFINITY;
+    for instance in scene.instances.iter().filter(|i| is_ground(scene, i.mesh)) {
+        let mesh = &scene.meshes[instance.mesh];
+        let over = |b: crate::Aabb| {
+            b.min.x <= point.x && point.x <= b.max.x && b.min.z <= point.z && point.z <= b.max.z
+        };
+        for part in mesh.parts.iter().filter(|part| over(part.bounds)) {
+            for t in mesh.indices[part.indices.start as usize..part.indices.end as usize].as_chunks().0 {
+                let [a, b, c] = (*t as [u32; 3]).map(|i| mesh.positions[i as usize]);
+                let area = |p: Vec3, q: Vec3, r: Vec3| (q - p).cross(r - p).y;
+                let (whole, u, v) = (area(a, b, c), area(a, point, c), area(a, b, point));
+                let (u, v) = (u / whole, v / whole);
+                if whole > 0.0 && u >= -1e-4 && v >= -1e-4 && u + v <= 1.0001 {
+                    highest = highest.max(a.y + (b.y - a.y) * u + (c.y - a.y) * v);
+                }
+            }
+        }
+    }
+    highest
+}
+
+fn assert_as_tabled(scene: &Scene, (name, triangles, area, casters, moving, [near, far]): Row) {
+    assert_eq!(scene.name, name);
+    let off = scene.triangles().abs_diff(triangles) as f32 / triangles as f32;
+    assert!(off <= 0.02, "{name} has {} triangles, wanted {triangles}", scene.triangles());
+    let grounds = scene.instances.iter().filter(|i| scene.meshes[i.mesh].name == "ground");
+    let side = grounds.map(|i| scene.meshes[i.mesh].bounds.size().x).fold(f32::INFINITY, f32::min);
+    assert!((side * side * 1e-6 / area - 1.0).abs() < 0.01, "{name} is {side} m wide, wanted {area} km²");
+    let standing = scene.instances.iter().filter(|i| !is_ground(scene, i.mesh));
+    assert_eq!(standing.count(), casters, "casters of {name}");
+    assert_eq!(scene.instances.iter().filter(|i| i.is_dynamic()).count(), moving, "moving casters of {name}");
+    assert_eq!([scene.cameras[0].near, scene.cameras[0].far], [near, far], "depth range of {name}");
+}
+
+fn assert_valid(scene: &Scene) {
+    for mesh in &scene.meshes {
+        let count = mesh.positions.len();
+        assert!(mesh.normals.len() == count && mesh.uvs.len() == count, "attributes of {}", mesh.name);
+        assert!(mesh.positions.iter().all(|p| p.is_finite()), "positions of {}", mesh.name);
+        assert!(mesh.normals.iter().all(|n| n.is_normalized()), "normals of {}", mesh.name);
+        assert!(mesh.uvs.iter().all(|uv| uv.is_finite()), "texture coordinates of {}", mesh.name);
+        assert!(mesh.indices.iter().all(|&i| (i as usize) < count), "indices of {}", mesh.name);
+        assert!(
+            mesh.parts.iter().all(|part| part.material < scene.materials.len()),
+            "materials of {}",
+            mesh.name
+        );
+    }
+    for material in &scene.materials {
+        assert!(material.texture.is_none_or(|t| t < scene.textures.len()), "texture of {}", material.name);
+    }
+    for texture in &scene.textures {
+        assert_eq!(texture.rgba.len(), (4 * texture.width * texture.height) as usize, "{}", texture.name);
+    }
+    assert!(scene.instances.iter().all(|i| i.mesh < scene.meshes.len() && i.world_from_mesh.is_finite()));
+}
+
+fn assert_seen_well(scene: &Scene) {
+    let sun = scene.lights[0].direction();
+    let names: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
+    assert_eq!(names, ["main", "far", "close", "split", "dueling"], "cameras of {}", scene.name);
+    let against = scene.cameras[4].forward().dot(sun);
+    assert!(against <= -0.98, "{}: the dueling camera sees {against} along the light", scene.name);
+    for camera in &scene.cameras {
+        let height = camera.eye().y - height_below(scene, camera.eye());
+        assert!(height > 0.5, "{}: camera {} is {height} m above the ground", scene.name, camera.name);
+        assert!(matches!(camera.lens, Lens::Perspective { .. }), "{} is a pinhole", camera.name);
+    }
+    let steps = 4 * (scene.path.keys.len() - 1);
+    for t in (0..=steps).map(|i| i as f32 / steps as f32) {
+        let eye = scene.path.world_from_camera(t).map_or(Vec3::ZERO, |m: Mat4| m.w_axis.truncate());
+        let height = eye.y - height_below(scene, eye);
+        assert!(height > 1.0, "{}: the path is {height} m above the ground at {t}", scene.name);
+    }
+}
+
+#[test]
+fn every_world_is_what_its_table_says_valid_and_seen_well() {
+    assert_eq!(ALL.len(), TABLE.len());
+    for (world, row) in ALL.iter().zip(TABLE) {
+        let scene = world.build(0);
+        assert_as_tabled(&scene, row);
+        assert_valid(&scene);
+        assert_seen_well(&scene);
+    }
+}
+
+#[test]
+fn a_seed_names_one_world() {
+    for world in ALL {
+        let [a, b, c] = [5, 5, 6].map(|seed| world.build(seed));
+        assert_eq!(a.instances, b.instances, "{} from one seed", world.name);
+        let corners =
+            |scene: &Scene| scene.meshes.iter().map(|mesh| mesh.positions.clone()).collect::<Vec<_>>();
+        assert!(corners(&a) == corners(&b), "shapes of {} from one seed", world.name);
+        assert_ne!(a.instances, c.instances, "{} from two seeds", world.name);
+    }
+}
+
+#[test]
+fn the_default_world_exists_and_others_do_not() {
+    assert!(ALL.iter().any(|world| world.name == DEFAULT));
+    assert!(build("narnia", 0).is_none());
+}
