@@ -1,1 +1,40 @@
-fn main() {}
+//! Repository chores: `cargo xtask results` measures every world into `docs/results.md`, `cargo xtask pictures` draws the
+//! pictures of the documents.
+//!
+//! This crate does not: see any of the others. It runs the command `umbrage` and reads its JSON.
+
+mod command;
+mod pictures;
+mod results;
+
+use clap::{Parser, Subcommand};
+
+/// Repository chores.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask")]
+struct Cli {
+    #[command(subcommand)]
+    chore: Chore,
+}
+
+#[derive(Debug, Subcommand)]
+enum Chore {
+    /// Measures every world and writes docs/results.md
+    Results {
+        /// Part of the name of the adapter to measure on
+        #[arg(long)]
+        adapter: Option<String>,
+        /// Frames a world
+        #[arg(long, default_value_t = 21)]
+        frames: u32,
+    },
+    /// Draws the pictures of the documents
+    Pictures,
+}
+
+fn main() -> anyhow::Result<()> {
+    match Cli::parse().chore {
+        Chore::Results { adapter, frames } => results::write(adapter.as_deref(), frames),
+        Chore::Pictures => pictures::draw(),
+    }
+}

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::TypedValueParser as _;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
 
@@ -88,14 +89,14 @@ pub struct BenchArgs {
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: u32,
     /// Frames that are drawn first and not counted
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(0..=100_000))]
     pub warm_up: u32,
-    /// Draw no shadows
+    /// Samples a pixel, 1 or 4
+    #[arg(long, default_value_t = 1, value_parser = clap::builder::PossibleValuesParser::new(["1", "4"]).map(|s| if s == "4" { 4u32 } else { 1 }))]
+    pub samples: u32,
+    /// Draw each frame twice more: without shadows, and with every part of the world drawn into every shadow map
     #[arg(long)]
-    pub no_shadows: bool,
-    /// Draw every part of the world into every shadow map, to measure what culling saves
-    #[arg(long)]
-    pub no_cull: bool,
+    pub baselines: bool,
     /// Write JSON to a file, or to stdout as `-`
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,

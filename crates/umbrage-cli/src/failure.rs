@@ -3,6 +3,8 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use umbrage_render::RenderError;
+
 /// A failed command.
 #[derive(Debug)]
 pub enum Failure {
@@ -25,6 +27,10 @@ impl Failure {
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Self::Words(_) => ExitCode::from(2),
+            // A frame that cannot be planned was asked for by flags that passed one by one.
+            Self::Work(error) if matches!(error.downcast_ref(), Some(RenderError::Plan(_))) => {
+                ExitCode::from(2)
+            }
             Self::Work(_) => ExitCode::from(1),
         }
     }

@@ -41,7 +41,7 @@ impl Sheet {
             if let Some(outline) = font.outline_glyph(id.with_scale_and_position(size, pen)) {
                 let corner = outline.px_bounds().min;
                 outline.draw(|dx, dy, cover| {
-                    covered.push((corner.x as i64 + i64::from(dx), corner.y as i64 + i64::from(dy), cover))
+                    covered.push((corner.x as i64 + i64::from(dx), corner.y as i64 + i64::from(dy), cover));
                 });
             }
             pen.x += font.h_advance(id);

@@ -24,7 +24,7 @@ pub fn resolve(args: &ShadowArgs) -> Outcome<Settings> {
     }
     let settings: Settings = table
         .try_into()
-        .map_err(|e: toml::de::Error| Failure::words(format!("settings: {}", e.message())))?;
+        .map_err(|e: toml::de::Error| Failure::words(format!("settings: {}", e.to_string().trim_end())))?;
     settings.validate().map_err(Failure::words)?;
     Ok(settings)
 }

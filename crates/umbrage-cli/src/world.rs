@@ -43,7 +43,7 @@ pub fn frame(args: &WorldArgs, scene: &Scene, show: Show) -> Outcome<Frame> {
     if !args.time.is_finite() {
         return Err(Failure::words(format!("--time must be finite, got {} s", args.time)));
     }
-    Ok(Frame { camera, sun, sun_colour, seconds: args.time, width, height, show })
+    Ok(Frame { camera, sun, sun_colour, seconds: args.time, width, height, samples: 4, show })
 }
 
 fn camera(args: &WorldArgs, scene: &Scene, aspect: f32) -> Outcome<Camera> {

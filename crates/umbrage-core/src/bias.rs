@@ -17,6 +17,17 @@ pub fn kernel_half_width_texels(filter: Filter) -> f32 {
     }
 }
 
+/// How far along the normal a receiver is moved, in texels times the sine of the angle between normal and light.
+pub fn normal_offset_texels(bias: &Bias, filter: Filter) -> f32 {
+    bias.normal * std::f32::consts::SQRT_2 * kernel_half_width_texels(filter)
+}
+
+/// How far from a receiver its lookups may end, in texels: the offset and the corner of the kernel.
+pub(crate) fn reach_texels(bias: &Bias, filter: Filter) -> f64 {
+    let corner = std::f64::consts::SQRT_2 * f64::from(kernel_half_width_texels(filter));
+    corner + f64::from(normal_offset_texels(bias, filter))
+}
+
 /// What a lookup at one receiver is moved by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BiasMetres {
@@ -32,17 +43,15 @@ pub fn bias_metres(bias: &Bias, filter: Filter, texel_metres: f32, cosine: f32) 
     let cosine = cosine.clamp(0.0, 1.0);
     let sine = (1.0 - cosine * cosine).sqrt();
     let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
-    let reach = std::f32::consts::SQRT_2 * kernel_half_width_texels(filter) * texel_metres;
     BiasMetres {
-        along_normal: bias.normal * reach * sine,
+        along_normal: normal_offset_texels(bias, filter) * texel_metres * sine,
         toward_light: bias.constant + bias.slope * texel_metres * tangent,
     }
 }
 
 /// The largest bias any receiver can get, metres, both directions added.
 pub(crate) fn largest_bias(bias: &Bias, filter: Filter, texel_metres: f64) -> f64 {
-    let reach = std::f64::consts::SQRT_2 * f64::from(kernel_half_width_texels(filter)) * texel_metres;
-    f64::from(bias.normal) * reach
+    f64::from(normal_offset_texels(bias, filter)) * texel_metres
         + f64::from(bias.constant)
         + f64::from(bias.slope) * texel_metres * f64::from(bias.slope_limit)
 }

@@ -18,8 +18,8 @@ const MAX_OUTLINE: usize = 48;
 /// Planes are moved outward by this share of the body's size: f32 rounding must not lose a caster.
 const MARGIN: f64 = 1e-6;
 
-/// An intersection of half-spaces in world space: who may cast into a view. No planes is everything, and
-/// [`ConvexVolume::EMPTY`] is nothing.
+/// An intersection of half-spaces in world space: who may cast into a view. No planes is everything,
+/// [`ConvexVolume::empty`] is nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct ConvexVolume {
     planes: Few<Plane, MAX_PLANES>,
@@ -73,18 +73,19 @@ impl ConvexVolume {
         let _full = !self.planes.push(plane);
     }
 
-    /// Everything between `receivers` and the light, `receivers` included.
-    pub(crate) fn swept_to_light(receivers: &ConvexBody, light: &LightSpace) -> Self {
+    /// Everything between `receivers` and the light, `receivers` included, and `reach` metres around it.
+    pub(crate) fn swept_to_light(receivers: &ConvexBody, light: &LightSpace, reach: f64) -> Self {
         if receivers.is_empty() {
             return Self::empty();
         }
         let size = receivers.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-        let margin = MARGIN * size.max(1.0);
+        let same = MARGIN * size.max(1.0);
+        let margin = same + reach;
         let mut volume = Self::default();
         for plane in receivers.planes().filter(|plane| plane.normal.dot(light.along) < -1e-6) {
             volume.add(plane.widened(margin));
         }
-        let outline = outline(receivers.corners().map(|p| light.to_light(p).truncate()), margin);
+        let outline = outline(receivers.corners().map(|p| light.to_light(p).truncate()), same);
         for (i, &a) in outline.iter().enumerate() {
             let edge = outline[(i + 1) % outline.len()] - a;
             // The hull runs counter-clockwise, so inside is to the left of each edge.
@@ -153,7 +154,7 @@ mod tests {
     fn a_box_swept_up_to_a_sun_overhead_is_an_endless_column() {
         let light = LightSpace::new(DVec3::NEG_Y, DVec3::Z);
         let body = ConvexBody::of_box(DVec3::ZERO, DVec3::ONE);
-        let volume = ConvexVolume::swept_to_light(&body, &light);
+        let volume = ConvexVolume::swept_to_light(&body, &light, 0.0);
         assert!(volume.contains(Vec3::new(0.5, 1000.0, 0.5)), "far above");
         assert!(volume.contains(Vec3::new(0.5, 0.5, 0.5)), "inside");
         assert!(!volume.contains(Vec3::new(0.5, -0.1, 0.5)), "below");
@@ -164,8 +165,11 @@ mod tests {
 
     #[test]
     fn nothing_casts_into_an_empty_volume() {
-        let volume =
-            ConvexVolume::swept_to_light(&ConvexBody::default(), &LightSpace::new(DVec3::NEG_Y, DVec3::Z));
+        let volume = ConvexVolume::swept_to_light(
+            &ConvexBody::default(),
+            &LightSpace::new(DVec3::NEG_Y, DVec3::Z),
+            1.0,
+        );
         assert!(volume.is_empty() && !volume.contains(Vec3::ZERO), "empty");
         assert!(!volume.may_touch(Vec3::splat(-1e9), Vec3::splat(1e9)), "not even the world");
     }

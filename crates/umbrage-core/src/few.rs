@@ -1,4 +1,4 @@
-//! A short list that lives where its owner lives, so that planning a frame allocates nothing.
+//! A short list that lives where its owner lives, so that replanning a frame allocates nothing.
 
 use std::ops::Deref;
 

@@ -11,12 +11,12 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3, Mat4};
 
-use crate::bias::{kernel_half_width_texels, largest_bias};
+use crate::bias::{largest_bias, reach_texels};
 use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::convex::ConvexBody;
 use crate::cull::ConvexVolume;
-use crate::settings::{Fit, Settings};
+use crate::settings::{Fit, Select, Settings};
 
 /// The axes of a directional light, unit and perpendicular, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,23 +144,23 @@ impl Slice<'_> {
             near = near.min(self.world_depths(&light).start - margin);
         }
         let far = receiver_depths.end + margin;
-        Fitted {
-            light,
-            min: (centre - half).extend(near),
-            max: (centre + half).extend(far),
-            casters: ConvexVolume::swept_to_light(receivers, &light),
-            unclipped_depth,
-        }
+        let (min, max) = (centre - half, centre + half);
+        let casters = match self.settings.select {
+            // Receivers of other slices look here too, wherever the map covers them.
+            Select::Map => ConvexVolume::over_rectangle(min, max, far, &light),
+            Select::Depth | Select::ClipDepth => {
+                let reach = reach_texels(&self.settings.bias, self.settings.filter) * texel;
+                ConvexVolume::swept_to_light(receivers, &light, reach)
+            }
+        };
+        Fitted { light, min: min.extend(near), max: max.extend(far), casters, unclipped_depth }
     }
 
-    /// How much larger than its receivers a map must be, so that no lookup leaves it: the kernel's half width, the
-    /// normal offset, and a texel.
+    /// How much larger than its receivers a map must be, so that no lookup leaves it: the lookups' reach and a texel.
     fn padding(&self) -> f64 {
         let Settings { resolution, filter, bias, .. } = self.settings;
-        let half_width = f64::from(kernel_half_width_texels(*filter));
-        let offset = std::f64::consts::SQRT_2 * half_width * f64::from(bias.normal);
         let texels = f64::from(*resolution);
-        let pad = (half_width + offset + 1.0).min(texels / 4.0);
+        let pad = (reach_texels(bias, *filter) + 1.0).min(texels / 4.0);
         texels / (texels - 2.0 * pad)
     }
 }
@@ -180,7 +180,7 @@ mod tests {
     fn the_tutorials_light_gives_v5() {
         // lightInvDir (0.5, 2, 2), looking at the origin from there, ortho ±10 and −10…20 ahead of it.
         let to_light = DVec3::new(0.5, 2.0, 2.0);
-        let light = LightSpace::new(-to_light.normalize(), DVec3::Y);
+        let light = LightSpace::new(-to_light.normalize_or_zero(), DVec3::Y);
         let start = light.to_light(to_light).z;
         let matrix = light
             .clip_from_world(DVec3::new(-10.0, -10.0, start - 10.0), DVec3::new(10.0, 10.0, start + 20.0));

@@ -29,7 +29,7 @@ mod split;
 mod stabilise;
 mod view;
 
-pub use bias::{BiasMetres, bias_metres, kernel_half_width_texels};
+pub use bias::{BiasMetres, bias_metres, kernel_half_width_texels, normal_offset_texels};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
 pub use convex::ConvexBody;

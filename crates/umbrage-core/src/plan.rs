@@ -1,6 +1,6 @@
 //! From a camera, lights, a world and settings to shadow views: pure, and microseconds.
 
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 
 use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
@@ -81,7 +81,7 @@ impl ShadowPlan {
                 let slice = Slice {
                     camera,
                     depths: depths.clone(),
-                    along: direction.as_dvec3().normalize(),
+                    along: direction.as_dvec3().normalize_or(DVec3::NEG_Y),
                     bounds,
                     settings,
                 };

@@ -110,7 +110,7 @@ mod tests {
             match texels[..] {
                 [] => assert_eq!(preset.name, "default"),
                 [resolution] => {
-                    assert_eq!((settings.splits, settings.resolution), (1, resolution), "{}", preset.name)
+                    assert_eq!((settings.splits, settings.resolution), (1, resolution), "{}", preset.name);
                 }
                 [splits, resolution] => {
                     assert_eq!(

@@ -82,6 +82,14 @@ impl DepthFormat {
             Self::U16 => 2,
         }
     }
+
+    /// How much a stored depth may differ from the one that was drawn, of a range of 1. Lookups stand off by it.
+    pub fn step(self) -> f32 {
+        match self {
+            Self::F32 => 0.0, // what 32 bits round is in the default's constant bias
+            Self::U16 => 1.0 / 65535.0,
+        }
+    }
 }
 
 /// Where the views' tiles lie.

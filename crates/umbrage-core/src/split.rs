@@ -20,9 +20,7 @@ const MIN_SHARE: f64 = 1e-6;
 /// what is nearer still gets shadows. `depths` must be finite with 0 < start < end and `settings` valid.
 pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f64, { MAX_SPLITS + 1 }> {
     let (near, far) = (f64::from(depths.start), f64::from(depths.end));
-    let from = settings
-        .near
-        .map_or(near, |virtual_near| f64::from(virtual_near).clamp(f64::from(near), f64::from(far)));
+    let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
     let count = settings.splits;
     let least = (far - near) * MIN_SHARE;
     let mut distances = Few::default();
@@ -36,7 +34,7 @@ pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f64, { MA
             Scheme::Manual => f64::from(settings.manual[i as usize - 1]),
         } + f64::from(settings.split_bias);
         let room_after = least * f64::from(count - i);
-        let distance = wanted.clamp(previous + least, far - room_after);
+        let distance = wanted.max(previous + least).min(far - room_after);
         fits &= distances.push(distance);
         previous = distance;
     }
@@ -87,10 +85,7 @@ mod tests {
         ] {
             let got = split_distances(near..far, &practical_settings(wanted.len() as u32 - 1, lambda));
             for (i, (got, wanted)) in got.iter().zip(&wanted).enumerate() {
-                assert!(
-                    (f64::from(*got) - wanted).abs() <= 6e-8 * wanted + 1e-6,
-                    "C_{i} is {got}, not {wanted}"
-                );
+                assert!((got - wanted).abs() <= 6e-8 * wanted + 1e-6, "C_{i} is {got}, not {wanted}");
             }
             assert_eq!(got.len(), wanted.len());
         }
@@ -105,6 +100,15 @@ mod tests {
     }
 
     #[test]
+    fn cuts_beyond_far_pile_up_before_it() {
+        for (near, far) in [(1.0, 800.0), (0.5, 100.0), (0.5, 200.0)] {
+            let settings = Settings { split_bias: 1000.0, ..Settings::default() };
+            let got = split_distances(near..far, &settings);
+            assert!(got.windows(2).all(|w| w[0] < w[1]) && got[4] == f64::from(far), "{got:?}");
+        }
+    }
+
+    #[test]
     fn a_virtual_near_moves_the_inner_splits_only() {
         let settings = Settings { near: Some(10.0), lambda: 1.0, splits: 2, ..Settings::default() };
         let got = split_distances(0.1..1000.0, &settings);
@@ -116,11 +120,14 @@ mod tests {
         #[test]
         fn splits_rise_and_end_exactly_at_near_and_far(
             near in 1e-3f32..1e3, ratio in 1.001f32..1e6, splits in 1u32..=9, lambda in 0.0f32..=1.0,
-            split_bias in 0.0f32..1e4, virtual_near in proptest::option::of(1e-3f32..1e4),
-            scheme in prop_oneof![Just(Scheme::Uniform), Just(Scheme::Logarithmic), Just(Scheme::Practical)],
+            bias_share in 0.0f32..2.0, manual_shares in proptest::collection::vec(1e-3f32..2.0, 8), virtual_near in proptest::option::of(1e-3f32..1e4),
+            scheme in prop_oneof![Just(Scheme::Uniform), Just(Scheme::Logarithmic), Just(Scheme::Practical), Just(Scheme::Manual)],
         ) {
             let far = near * ratio;
-            let settings = Settings { splits, lambda, split_bias, near: virtual_near, scheme, ..Settings::default() };
+            let split_bias = (bias_share - 1.0).max(0.0) * far;
+            let mut manual: Vec<f32> = manual_shares[..splits as usize - 1].iter().map(|share| share * far).collect();
+            manual.sort_by(f32::total_cmp);
+            let settings = Settings { splits, lambda, split_bias, manual, near: virtual_near, scheme, ..Settings::default() };
             let got = split_distances(near..far, &settings);
             prop_assert_eq!(got.len(), splits as usize + 1);
             prop_assert_eq!((got[0], got[splits as usize]), (f64::from(near), f64::from(far)));

@@ -88,6 +88,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::approx_constant, reason = "the vector quotes them")]
     fn snapping_is_v6() {
         let texel = 2.0 * 12.5 / 2048.0;
         assert_eq!((snap(3.14159, texel), snap(-2.71828, texel)), (3.13720703125, -2.72216796875));

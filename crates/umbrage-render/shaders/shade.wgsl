@@ -77,6 +77,13 @@ fn sky_light(direction: vec3f) -> vec3f {
     return mix(above, ground, smoothstep(0.0, 0.25, -direction.y));
 }
 
+/// Light that reaches a surface from the whole sky and the ground, for a unit normal: a hemisphere each.
+fn ambient_light(normal: vec3f) -> vec3f {
+    let sky = vec3f(0.30, 0.38, 0.52);
+    let ground = vec3f(0.16, 0.14, 0.11);
+    return mix(ground, sky, 0.5 + 0.5 * normal.y);
+}
+
 /// What the sky shows in a direction: its light, and a glow around the sun.
 fn sky_seen(direction: vec3f) -> vec3f {
     let toward = max(dot(direction, scene.direction_to_sun), 0.0);
@@ -118,7 +125,7 @@ fn shade(receiver: Receiver) -> @location(0) vec4f {
             base = mix(base, split_colour(view - umbrage_frame.lights[0].first_view), 0.6 * scene.tint);
         }
     }
-    let ambient = base * (0.5 * sky_light(normal) + 0.15 * sky_light(vec3f(0.0, 1.0, 0.0)));
+    let ambient = base * ambient_light(normal);
     let cosine = max(dot(normal, scene.direction_to_sun), 0.0);
     let lit = base * scene.sun * cosine;
     var light = umbrage_shade(ambient, lit, visibility_at(receiver, facing));

@@ -8,7 +8,7 @@ use glam::Mat4;
 use umbrage::{Aabb, Bounds, ConvexVolume};
 use umbrage_scene::{Instance, Scene};
 
-/// Every (part, instance) of a scene with its world box, ordered by mesh, part and instance.
+/// Every (part, instance) of a scene with its world box, ordered by mesh, mirroring, part and instance.
 #[derive(Clone, Debug)]
 pub struct PartTable {
     parts: Vec<PartRow>,
@@ -23,7 +23,9 @@ struct PartRow {
     base_vertex: i32,
     material: u32,
     local: umbrage_scene::Aabb,
-    /// Indices of the instances of its mesh, in the scene's list.
+    /// Whether its instances mirror it, which turns its winding over.
+    mirrored: bool,
+    /// Indices of those instances of its mesh, in the scene's list.
     instances: Vec<u32>,
     /// Where its boxes start.
     first_box: usize,
@@ -38,6 +40,8 @@ pub struct Draw {
     pub base_vertex: i32,
     /// Of the scene.
     pub material: u32,
+    /// Whether front faces are clockwise: the instances mirror the mesh.
+    pub mirrored: bool,
     /// Of the list of instance numbers.
     pub instances: Range<u32>,
 }
@@ -64,42 +68,43 @@ impl PartTable {
     /// The table of a scene at time 0. Index ranges count from the start of the scene's index buffer, in which its
     /// meshes follow each other.
     pub fn new(scene: &Scene) -> Self {
-        let mut instances_of = vec![Vec::new(); scene.meshes.len()];
+        let mut instances_of = vec![[Vec::new(), Vec::new()]; scene.meshes.len()];
         for (i, instance) in scene.instances.iter().enumerate() {
-            instances_of[instance.mesh].push(i as u32);
+            let mirrored = instance.world_from_mesh.determinant() < 0.0;
+            instances_of[instance.mesh][usize::from(mirrored)].push(i as u32);
         }
         let (mut parts, mut boxes) = (Vec::new(), 0);
         let (mut first_index, mut base_vertex) = (0, 0);
-        for (mesh, instances) in scene.meshes.iter().zip(&instances_of) {
-            for part in &mesh.parts {
-                parts.push(PartRow {
-                    indices: part.indices.start + first_index..part.indices.end + first_index,
-                    base_vertex,
-                    material: part.material as u32,
-                    local: part.bounds,
-                    instances: instances.clone(),
-                    first_box: boxes,
-                });
-                boxes += instances.len();
+        for (mesh, instances_of_mesh) in scene.meshes.iter().zip(&instances_of) {
+            for (mirrored, instances) in [false, true].into_iter().zip(instances_of_mesh) {
+                for part in mesh.parts.iter().filter(|_| !instances.is_empty()) {
+                    parts.push(PartRow {
+                        indices: part.indices.start + first_index..part.indices.end + first_index,
+                        base_vertex,
+                        material: part.material as u32,
+                        local: part.bounds,
+                        mirrored,
+                        instances: instances.clone(),
+                        first_box: boxes,
+                    });
+                    boxes += instances.len();
+                }
             }
             first_index += mesh.indices.len() as u32;
             base_vertex += mesh.positions.len() as i32;
         }
         let mut table = Self { parts, boxes: vec![Aabb::EMPTY; boxes] };
-        table.place(&scene.instances, |_, instance| Some(instance.world_from_mesh));
+        table.place(&scene.instances, |instance| Some(instance.world_from_mesh));
         table
     }
 
     /// Moves what moves: boxes of dynamic instances at time `seconds`.
     pub fn move_to(&mut self, instances: &[Instance], seconds: f32) {
-        self.place(instances, |_, instance| {
-            instance.is_dynamic().then(|| instance.world_from_mesh_at(seconds))
-        });
+        self.place(instances, |instance| instance.is_dynamic().then(|| instance.world_from_mesh_at(seconds)));
     }
 
-    fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(usize, &Instance) -> Option<Mat4>) {
-        let matrices: Vec<Option<Mat4>> =
-            instances.iter().enumerate().map(|(i, instance)| world_from_mesh(i, instance)).collect();
+    fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(&Instance) -> Option<Mat4>) {
+        let matrices: Vec<Option<Mat4>> = instances.iter().map(world_from_mesh).collect();
         for part in &self.parts {
             for (slot, &instance) in self.boxes[part.first_box..].iter_mut().zip(&part.instances) {
                 if let Some(matrix) = &matrices[instance as usize] {
@@ -156,6 +161,7 @@ impl PartTable {
                 indices: part.indices.clone(),
                 base_vertex: part.base_vertex,
                 material: part.material,
+                mirrored: part.mirrored,
                 instances: start as u32..lists.instances.len() as u32,
             });
         }

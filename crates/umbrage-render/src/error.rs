@@ -37,9 +37,9 @@ pub enum RenderError {
         /// The largest side, pixels.
         most: u32,
     },
-    /// The scene does not fit the adapter's buffers.
-    #[error("the scene's {what} take {bytes} bytes; this adapter's buffers hold {most}")]
-    SceneTooLarge {
+    /// Something does not fit the adapter's buffers.
+    #[error("the {what} needs {bytes} bytes; this adapter's buffers hold {most}")]
+    TooLarge {
         /// Which data.
         what: &'static str,
         /// How many bytes it needs.

@@ -39,8 +39,11 @@ impl std::fmt::Display for AdapterDescription {
     }
 }
 
-fn instance() -> wgpu::Instance {
-    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+fn instance(backends: wgpu::Backends) -> wgpu::Instance {
+    wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    })
 }
 
 fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
@@ -75,8 +78,8 @@ fn preference(adapter: &wgpu::Adapter) -> (u8, u8) {
     (u8::from(info.backend == wgpu::Backend::Gl), kind)
 }
 
-fn adapters(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+fn adapters(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance(backends).enumerate_adapters(backends));
     adapters.sort_by_key(preference);
     adapters
 }
@@ -84,7 +87,7 @@ fn adapters(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
 impl Gpu {
     /// Every adapter here, the one that [`Self::new`] prefers first.
     pub fn adapters() -> Vec<AdapterDescription> {
-        adapters(&instance()).iter().map(describe).collect()
+        adapters(wgpu::Backends::all()).iter().map(describe).collect()
     }
 
     /// A device on the preferred adapter, or on the first whose description contains `wanted`, in any case.
@@ -92,18 +95,21 @@ impl Gpu {
     /// # Errors
     /// When there is no such adapter, or it gives no device.
     pub fn new(wanted: Option<&str>) -> Result<Self, RenderError> {
-        let adapters = adapters(&instance());
-        let found = || adapters.iter().map(|adapter| describe(adapter).to_string()).collect::<Vec<_>>();
-        if adapters.is_empty() {
-            return Err(RenderError::NoAdapter);
-        }
-        let matches = |adapter: &&wgpu::Adapter| {
+        let matches = |adapter: &wgpu::Adapter| {
             let text = describe(adapter).to_string().to_lowercase();
             wanted.is_none_or(|wanted| text.contains(&wanted.to_lowercase()))
         };
-        let adapter = adapters.iter().find(matches).ok_or_else(|| RenderError::NoSuchAdapter {
-            wanted: wanted.unwrap_or_default().to_owned(),
-            found: found(),
+        // GL is asked only where nothing else will do: it is slow to start, and chatty.
+        let mut adapters = adapters(wgpu::Backends::PRIMARY);
+        if !adapters.iter().any(matches) {
+            adapters = self::adapters(wgpu::Backends::all());
+        }
+        if adapters.is_empty() {
+            return Err(RenderError::NoAdapter);
+        }
+        let found = || adapters.iter().map(|adapter| describe(adapter).to_string()).collect::<Vec<_>>();
+        let adapter = adapters.iter().find(|adapter| matches(adapter)).ok_or_else(|| {
+            RenderError::NoSuchAdapter { wanted: wanted.unwrap_or_default().to_owned(), found: found() }
         })?;
         let description = describe(adapter);
         let features =
@@ -116,6 +122,26 @@ impl Gpu {
         }))
         .map_err(|e| RenderError::NoDevice { adapter: description.name.clone(), reason: e.to_string() })?;
         Ok(Self { device, queue, adapter: description })
+    }
+
+    /// Makes something large, and says so where there is no memory for it.
+    ///
+    /// # Errors
+    /// As `make`, and when the device has no room.
+    pub(crate) fn allocate<T, E>(
+        &self,
+        what: &str,
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<T, RenderError>
+    where
+        RenderError: From<E>,
+    {
+        let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let made = make();
+        match pollster::block_on(scope.pop()) {
+            Some(_) => Err(RenderError::Device(format!("there is no memory for {what}"))),
+            None => Ok(made?),
+        }
     }
 
     /// Waits until everything that was handed over is done.

@@ -10,6 +10,7 @@
 
 pub mod draws;
 
+mod casters;
 mod convert;
 mod error;
 mod gpu;

@@ -3,13 +3,14 @@
 use std::time::Instant;
 
 use glam::Vec3;
-use umbrage::{Camera, CasterVertex, Light, MapTexels, Settings, ShadowPlan, Shadows, caster_wgsl};
+use umbrage::{Camera, Light, MapTexels, Settings, ShadowPlan, Shadows};
 use umbrage_scene::Scene;
 
+use crate::casters::CasterPipelines;
 use crate::draws::{Draw, DrawLists, Materials, PartTable};
 use crate::error::RenderError;
 use crate::gpu::Gpu;
-use crate::scene_buffers::{CASTER_BUFFERS, SceneBuffers};
+use crate::scene_buffers::SceneBuffers;
 use crate::shading::Shading;
 use crate::target::{Encoding, Picture, Target};
 use crate::timing::{CASTERS, FrameTimes, PassTimer, SHADE, ViewLoad};
@@ -29,6 +30,8 @@ pub struct Frame {
     pub width: u32,
     /// Height, pixels.
     pub height: u32,
+    /// Samples a pixel: 1, or 4 for smooth edges. Visibility always has 1.
+    pub samples: u32,
     /// What of it.
     pub show: Show,
 }
@@ -65,8 +68,7 @@ pub struct Renderer<'a> {
     buffers: SceneBuffers,
     parts: PartTable,
     shadows: Shadows,
-    casters: wgpu::RenderPipeline,
-    caster_instances: wgpu::BindGroup,
+    casters: CasterPipelines,
     shading: Option<Shading>,
     target: Option<Target>,
     timer: PassTimer,
@@ -75,18 +77,15 @@ pub struct Renderer<'a> {
     pub cull_parts: bool,
 }
 
-/// Samples a pixel in pictures of the world.
-const SAMPLES: u32 = 4;
-
 impl<'a> Renderer<'a> {
     /// Uploads a scene, and makes shadow maps for one sun.
     ///
     /// # Errors
     /// When a setting is out of range, or something exceeds the adapter's limits.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: Settings) -> Result<Self, RenderError> {
-        let buffers = SceneBuffers::new(gpu, scene)?;
-        let shadows = Shadows::new(&gpu.device, settings)?;
-        let (casters, caster_instances) = caster_pipeline(gpu, &buffers, &shadows);
+        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene))?;
+        let shadows = gpu.allocate("the shadow maps", || Shadows::new(&gpu.device, settings))?;
+        let casters = CasterPipelines::new(gpu, &buffers, &shadows);
         Ok(Self {
             gpu,
             scene,
@@ -94,7 +93,6 @@ impl<'a> Renderer<'a> {
             buffers,
             shadows,
             casters,
-            caster_instances,
             shading: None,
             target: None,
             timer: PassTimer::new(gpu)?,
@@ -108,8 +106,8 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// As [`Self::new`]; then the settings stay as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
-        let shadows = Shadows::new(&self.gpu.device, settings)?;
-        (self.casters, self.caster_instances) = caster_pipeline(self.gpu, &self.buffers, &shadows);
+        let shadows = self.gpu.allocate("the shadow maps", || Shadows::new(&self.gpu.device, settings))?;
+        self.casters = CasterPipelines::new(self.gpu, &self.buffers, &shadows);
         self.shadows = shadows;
         self.shading = None;
         Ok(())
@@ -187,13 +185,16 @@ impl<'a> Renderer<'a> {
     fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
         let (encoding, samples) = match frame.show {
             Show::Visibility => (Encoding::Linear, 1),
-            Show::World | Show::Unshadowed | Show::Splits => (Encoding::Srgb, SAMPLES),
+            Show::World | Show::Unshadowed | Show::Splits => {
+                (Encoding::Srgb, if frame.samples > 1 { 4 } else { 1 })
+            }
         };
         let Frame { width, height, .. } = *frame;
         let fits =
             |t: &Target| (t.width, t.height, t.encoding, t.samples) == (width, height, encoding, samples);
         if !self.target.as_ref().is_some_and(fits) {
-            self.target = Some(Target::new(self.gpu, width, height, encoding, samples)?);
+            let make = || Target::new(self.gpu, width, height, encoding, samples);
+            self.target = Some(self.gpu.allocate("the picture", make)?);
         }
         let suits = |s: &Shading| (s.encoding, s.samples) == (encoding, samples);
         if !self.shading.as_ref().is_some_and(suits) {
@@ -218,12 +219,16 @@ impl<'a> Renderer<'a> {
         for (view, draws) in plan.views().iter().zip(&lists.views) {
             self.timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
                 let mut pass = self.shadows.begin_timed(encoder, view, timestamps);
-                pass.set_pipeline(&self.casters);
-                pass.set_bind_group(1, &self.caster_instances, &[]);
+                pass.set_bind_group(1, &self.casters.instances, &[]);
                 pass.set_vertex_buffer(0, self.buffers.positions.slice(..));
                 pass.set_vertex_buffer(1, numbers.slice(..));
                 pass.set_index_buffer(self.buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+                let mut set = None;
                 for draw in draws {
+                    if set != Some(draw.mirrored) {
+                        pass.set_pipeline(&self.casters.by_mirroring[usize::from(draw.mirrored)]);
+                        set = Some(draw.mirrored);
+                    }
                     pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
                 }
             });
@@ -254,45 +259,4 @@ impl<'a> Renderer<'a> {
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("Renderer::encoder") })
     }
-}
-
-/// The pipeline that draws casters, and the instances it reads.
-fn caster_pipeline(
-    gpu: &Gpu,
-    buffers: &SceneBuffers,
-    shadows: &Shadows,
-) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
-    let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("Renderer::caster_instances"),
-        entries: &[wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: wgpu::ShaderStages::VERTEX,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Storage { read_only: true },
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        }],
-    });
-    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("Renderer::caster_instances"),
-        layout: &layout,
-        entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffers.instances.as_entire_binding() }],
-    });
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("Renderer::casters"),
-        source: wgpu::ShaderSource::Wgsl((caster_wgsl() + include_str!("../shaders/caster.wgsl")).into()),
-    });
-    let pipeline = shadows.caster_pipeline(
-        &gpu.device,
-        &CasterVertex {
-            module: &module,
-            entry_point: "caster",
-            buffers: &CASTER_BUFFERS,
-            bind_group_layouts: &[&layout],
-            front_face: wgpu::FrontFace::Ccw,
-        },
-    );
-    (pipeline, group)
 }

@@ -91,7 +91,7 @@ pub(crate) fn filled(
     };
     let size = (bytes.len() as u64).max(16);
     if size > most {
-        return Err(RenderError::SceneTooLarge { what, bytes: size, most });
+        return Err(RenderError::TooLarge { what, bytes: size, most });
     }
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(what),
@@ -144,7 +144,7 @@ fn materials(
         let Texture { name: _, width, height, rgba } = texture;
         if *width > most || *height > most {
             let bytes = u64::from(*width) * u64::from(*height) * 4;
-            return Err(RenderError::SceneTooLarge { what: "textures", bytes, most: u64::from(most) });
+            return Err(RenderError::TooLarge { what: "textures", bytes, most: u64::from(most) });
         }
         Ok(textures::upload(&gpu.device, &gpu.queue, *width, *height, rgba))
     };
@@ -157,7 +157,7 @@ fn materials(
         mag_filter: wgpu::FilterMode::Linear,
         min_filter: wgpu::FilterMode::Linear,
         mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        anisotropy_clamp: 8,
+        anisotropy_clamp: 1,
         ..Default::default()
     });
     let group = |material: &umbrage_scene::Material| {

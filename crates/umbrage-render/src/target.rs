@@ -3,7 +3,7 @@
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 
-/// A picture on the CPU: sRGB, rows from top to bottom.
+/// A picture on the CPU, rows from top to bottom: sRGB, or linear where it shows visibility.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// Width, pixels.
@@ -130,9 +130,14 @@ impl Target {
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
         let Self { width, height, .. } = *self;
         let stride = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let size = u64::from(stride) * u64::from(height);
+        let most = gpu.device.limits().max_buffer_size;
+        if size > most {
+            return Err(RenderError::TooLarge { what: "picture", bytes: size, most });
+        }
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("Target::read"),
-            size: u64::from(stride) * u64::from(height),
+            size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });

@@ -199,7 +199,7 @@ fn field(side: u32) -> Primitive {
         for x in 0..=side {
             let (u, v) = (x as f32 / side as f32, z as f32 / side as f32);
             field.positions.push(Vec3::new(u * 30.0, (u * 9.0).sin() * (v * 7.0).cos(), v * 30.0));
-            field.normals.push(Vec3::new(-(u * 9.0).cos(), 2.0, (v * 7.0).sin()).normalize());
+            field.normals.push(Vec3::new(-(u * 9.0).cos(), 2.0, (v * 7.0).sin()).normalize_or_zero());
             field.uvs.push(Vec2::new(u, v));
         }
     }

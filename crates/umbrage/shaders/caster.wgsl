@@ -9,7 +9,8 @@ const UMBRAGE_SUB_TEXELS: f32 = 256.0;
 /// Clip position of a world-space point in the current shadow view.
 ///
 /// Parallel views round it to the rasteriser's grid before the translation is added. Under `fit = "stable"` the
-/// translation is a whole number of texels, so the sum is exact, and what was rounded does not depend on where the
+/// translation is a whole number of texels, so for resolutions that are powers of two the sum is exact, and what was
+/// rounded does not depend on where the
 /// camera is: edges stay where they are, to the last bit.
 fn umbrage_caster_position(world_position: vec3f) -> vec4f {
     let m = umbrage_frame.views[umbrage_caster_view.x].clip_from_world;

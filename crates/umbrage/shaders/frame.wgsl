@@ -45,6 +45,8 @@ struct UmbrageFrame {
     bias_normal: f32,
     shadow_colour: vec4f,
     darkness: f32,
+    /// How much a stored depth may differ from the one that was drawn.
+    depth_step: f32,
     lights: array<UmbrageLight, 16>,
     views: array<UmbrageView>,
 }

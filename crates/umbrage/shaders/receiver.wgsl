@@ -39,7 +39,7 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     var lookup: UmbrageLookup;
     lookup.texel = (ndc.xy * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.depth = ndc.z;
-    lookup.reference = ndc.z - toward_light / umbrage_frame.views[view_index].depth_metres;
+    lookup.reference = ndc.z - toward_light / umbrage_frame.views[view_index].depth_metres - umbrage_frame.depth_step;
     return lookup;
 }
 
@@ -52,6 +52,9 @@ fn umbrage_uv(view_index: u32, texel: vec2f) -> vec2f {
 
 /// Index of the view that serves a receiver, or UMBRAGE_NO_VIEW.
 fn umbrage_view_of(light: u32, world_position: vec3f, world_normal: vec3f) -> u32 {
+    if light >= umbrage_frame.light_count {
+        return UMBRAGE_NO_VIEW;
+    }
     let depth = umbrage_view_depth(world_position);
     if depth > umbrage_frame.split_ends[umbrage_frame.split_count - 1u] {
         return UMBRAGE_NO_VIEW;
@@ -59,7 +62,8 @@ fn umbrage_view_of(light: u32, world_position: vec3f, world_normal: vec3f) -> u3
     return umbrage_select(light, depth, world_position, world_normal);
 }
 
-/// How much of one light reaches a world-space point. Points outside every map are lit. `pixel` is the fragment's
+/// How much of one light reaches a world-space point. Points outside every map are lit, and so is everything by a light
+/// that the plan does not have. `pixel` is the fragment's
 /// position on screen.
 fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec3f, pixel: vec2f) -> f32 {
     let view_index = umbrage_view_of(light, world_position, world_normal);

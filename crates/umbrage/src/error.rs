@@ -33,6 +33,16 @@ pub enum ShadowError {
         /// How many there may be.
         most: usize,
     },
+    /// The copy of the maps does not fit a buffer of this adapter.
+    #[error(
+        "a copy of the shadow maps takes {bytes} bytes; this adapter's buffers hold {most}; lower `resolution`"
+    )]
+    CopyTooLarge {
+        /// How many bytes it needs.
+        bytes: u64,
+        /// How many there may be.
+        most: u64,
+    },
     /// The maps could not be read back.
     #[error("the shadow maps could not be read back: {0}")]
     ReadBack(String),

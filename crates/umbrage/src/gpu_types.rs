@@ -2,7 +2,7 @@
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{MAX_LIGHTS, MAX_SPLITS, Settings, Shade, ShadowPlan, kernel_half_width_texels};
+use umbrage_core::{MAX_LIGHTS, MAX_SPLITS, Settings, Shade, ShadowPlan, normal_offset_texels};
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct GpuView {
@@ -36,6 +36,7 @@ struct GpuFrame {
     bias_normal: f32,
     shadow_colour: Vec4,
     darkness: f32,
+    depth_step: f32,
     lights: [GpuLight; MAX_LIGHTS],
     #[shader(size(runtime))]
     views: Vec<GpuView>,
@@ -76,11 +77,10 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
         bias_constant: settings.bias.constant,
         bias_slope: settings.bias.slope,
         bias_slope_limit: settings.bias.slope_limit,
-        bias_normal: settings.bias.normal
-            * std::f32::consts::SQRT_2
-            * kernel_half_width_texels(settings.filter),
+        bias_normal: normal_offset_texels(&settings.bias, settings.filter),
         shadow_colour: Vec4::from_array(shadow_colour),
         darkness,
+        depth_step: settings.depth.step(),
         lights,
         views: plan.views().iter().map(view).collect(),
     };
@@ -115,7 +115,7 @@ mod tests {
         members.iter().map(|m| (m.name.clone().unwrap(), u64::from(m.offset))).collect()
     }
 
-    fn same<T: ShaderType>(name: &str, fields: &[&str], offset: impl Fn(usize) -> u64) {
+    fn same(name: &str, fields: &[&str], offset: impl Fn(usize) -> u64) {
         let expected: Vec<_> = fields.iter().enumerate().map(|(i, f)| ((*f).to_owned(), offset(i))).collect();
         assert_eq!(offsets(name), expected);
     }
@@ -124,10 +124,8 @@ mod tests {
     fn shader_and_rust_agree_where_every_field_lies() {
         let of_view = |i| GpuView::METADATA.offset(i);
         let view = ["clip_from_world", "tile_origin", "tile_size", "layer", "texel_metres", "depth_metres"];
-        same::<GpuView>("UmbrageView", &view, of_view);
-        same::<GpuLight>("UmbrageLight", &["direction_to_light", "first_view"], |i| {
-            GpuLight::METADATA.offset(i)
-        });
+        same("UmbrageView", &view, of_view);
+        same("UmbrageLight", &["direction_to_light", "first_view"], |i| GpuLight::METADATA.offset(i));
         let frame = [
             "depth_row",
             "clip_z_row",
@@ -143,9 +141,10 @@ mod tests {
             "bias_normal",
             "shadow_colour",
             "darkness",
+            "depth_step",
             "lights",
             "views",
         ];
-        same::<GpuFrame>("UmbrageFrame", &frame, |i| GpuFrame::METADATA.offset(i));
+        same("UmbrageFrame", &frame, |i| GpuFrame::METADATA.offset(i));
     }
 }

@@ -33,7 +33,9 @@ impl Lookup<'_> {
         let forward = camera.forward();
         let depth = forward.extend(-forward.dot(camera.eye())).dot(world_position.extend(1.0));
         let beyond = self.plan.splits().last().is_none_or(|end| depth > *end as f32);
-        let view = if beyond { None } else { self.select(light, depth, world_position, world_normal) };
+        let is_known = light < self.plan.lights().len();
+        let view =
+            if beyond || !is_known { None } else { self.select(light, depth, world_position, world_normal) };
         let Some(view) = view else { return 1.0 };
         let Place { texel, depth, reference } = self.place(view, light, world_position, world_normal);
         let size = view.tile.size as f32;
@@ -93,7 +95,7 @@ impl Lookup<'_> {
         Place {
             texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
             depth: ndc.z,
-            reference: ndc.z - bias.toward_light / view.depth_metres,
+            reference: ndc.z - bias.toward_light / view.depth_metres - self.settings.depth.step(),
         }
     }
 

@@ -106,9 +106,14 @@ impl Maps {
         let bytes = self.layout.depth.bytes() as u32;
         let [width, height] = self.size();
         let stride = (width * bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let size = u64::from(stride) * u64::from(height) * u64::from(self.layout.layers);
+        let most = device.limits().max_buffer_size;
+        if size > most {
+            return Err(ShadowError::CopyTooLarge { bytes: size, most });
+        }
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("Maps::read"),
-            size: u64::from(stride) * u64::from(height) * u64::from(self.layout.layers),
+            size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });

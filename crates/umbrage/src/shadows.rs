@@ -18,6 +18,8 @@ const VIEW_INDEX_STRIDE: u32 = 256;
 #[derive(Debug)]
 pub struct Shadows {
     settings: Settings,
+    /// How many lights there is room for.
+    lights: usize,
     capabilities: Capabilities,
     maps: Maps,
     frame: wgpu::Buffer,
@@ -91,6 +93,7 @@ impl Shadows {
         });
         Ok(Self {
             settings,
+            lights,
             capabilities,
             maps,
             frame,
@@ -106,12 +109,26 @@ impl Shadows {
     /// # Errors
     /// As [`umbrage_core::plan`]; also when there are more lights than these shadows were made for.
     pub fn plan(&self, camera: &Camera, lights: &[Light], bounds: &Bounds) -> Result<ShadowPlan, PlanError> {
-        let most = (self.maps.layout.columns * self.maps.layout.rows * self.maps.layout.layers)
-            / self.settings.splits;
-        if lights.len() > most as usize {
-            return Err(PlanError::Lights { got: lights.len(), most: most as usize });
+        let mut plan = plan(camera, &[], bounds, &self.settings)?;
+        self.replan(&mut plan, camera, lights, bounds)?;
+        Ok(plan)
+    }
+
+    /// As [`Self::plan`], into the room that an earlier plan has: allocates nothing when that is enough.
+    ///
+    /// # Errors
+    /// As [`Self::plan`]; then the plan is as it was.
+    pub fn replan(
+        &self,
+        plan: &mut ShadowPlan,
+        camera: &Camera,
+        lights: &[Light],
+        bounds: &Bounds,
+    ) -> Result<(), PlanError> {
+        if lights.len() > self.lights {
+            return Err(PlanError::Lights { got: lights.len(), most: self.lights });
         }
-        plan(camera, lights, bounds, &self.settings)
+        plan.replan(camera, lights, bounds, &self.settings)
     }
 
     /// Tells the GPU of a plan. Draw the plan's views after it, then shade.

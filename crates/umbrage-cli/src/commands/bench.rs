@@ -1,9 +1,9 @@
 //! `umbrage bench`: frame times along the world's path.
 
 use serde::Serialize;
-use umbrage::Settings;
+use umbrage::{Camera, Settings};
 use umbrage_render::{Frame, FrameTimes, Gpu, Renderer, Show, ViewLoad};
-use umbrage_scene::{Camera, Scene};
+use umbrage_scene::Scene;
 
 use crate::args::BenchArgs;
 use crate::failure::Outcome;
@@ -19,20 +19,22 @@ struct Report<'a> {
     triangles: usize,
     width: u32,
     height: u32,
+    samples: u32,
     adapter: String,
     /// Whether the device timed the passes; otherwise the wall clock did.
     timestamps: bool,
     settings: &'a Settings,
-    shadows: bool,
-    cull_parts: bool,
     texels: u64,
     bytes: u64,
     frames: usize,
     milliseconds: Milliseconds,
+    /// The same frames drawn otherwise, one after the other in the same run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    baselines: Option<Baselines>,
     /// Of the last frame.
     views: Vec<View>,
-    /// Every timed frame, in order.
-    samples: Vec<[f64; 4]>,
+    /// Every timed frame, in order: plan, casters, shade, frame.
+    every_frame: Vec<[f64; 4]>,
 }
 
 #[derive(Serialize)]
@@ -41,6 +43,12 @@ struct Milliseconds {
     casters: Spread,
     shade: Spread,
     frame: Spread,
+}
+
+#[derive(Serialize)]
+struct Baselines {
+    no_shadows: Milliseconds,
+    no_culling: Milliseconds,
 }
 
 #[derive(Serialize)]
@@ -61,19 +69,28 @@ pub struct Spread {
 pub fn run(args: &BenchArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::load(&args.world.world, args.world.seed)?;
-    let show = if args.no_shadows { Show::Unshadowed } else { Show::World };
-    let frame = world::frame(&args.world, &scene, show)?;
+    let frame = Frame { samples: args.samples, ..world::frame(&args.world, &scene, Show::World)? };
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
-    renderer.cull_parts = !args.no_cull;
     let bar = progress::bar(u64::from(args.frames + args.warm_up), "frames");
-    let (mut samples, mut loads) = (Vec::new(), Vec::new());
+    let (mut samples, mut no_shadows, mut no_culling, mut loads) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for number in 0..args.frames + args.warm_up {
         let counted = number.checked_sub(args.warm_up);
         let share = counted.unwrap_or(0) as f32 / (args.frames.max(2) - 1) as f32;
-        let rendered = renderer.render(&along_path(&frame, &scene, args, share)?)?;
+        let frame = along_path(&frame, &scene, args, share)?;
+        let rendered = renderer.render(&frame)?;
+        let mut others = None;
+        if args.baselines {
+            let unshadowed = renderer.render(&Frame { show: Show::Unshadowed, ..frame })?.times;
+            renderer.cull_parts = false;
+            others = Some((unshadowed, renderer.render(&frame)?.times));
+            renderer.cull_parts = true;
+        }
         if counted.is_some() {
             samples.push(rendered.times);
+            no_shadows.extend(others.map(|(times, _)| times));
+            no_culling.extend(others.map(|(_, times)| times));
         }
         loads = rendered.views;
         bar.inc(1);
@@ -85,17 +102,20 @@ pub fn run(args: &BenchArgs) -> Outcome {
         triangles: scene.triangles(),
         width: frame.width,
         height: frame.height,
+        samples: frame.samples,
         adapter: gpu.adapter.to_string(),
         timestamps: gpu.adapter.timestamps,
         settings: renderer.shadows().settings(),
-        shadows: !args.no_shadows,
-        cull_parts: !args.no_cull,
         texels: layout.texels(),
         bytes: layout.bytes(),
         frames: samples.len(),
         milliseconds: milliseconds(&samples),
+        baselines: args.baselines.then(|| Baselines {
+            no_shadows: milliseconds(&no_shadows),
+            no_culling: milliseconds(&no_culling),
+        }),
         views: loads.into_iter().map(view).collect(),
-        samples: samples.iter().map(|t| [t.plan, t.casters, t.shade, t.frame]).collect(),
+        every_frame: samples.iter().map(|t| [t.plan, t.casters, t.shade, t.frame]).collect(),
     };
     match &args.json {
         Some(path) => output::write_json(path, &report)?,
@@ -111,10 +131,8 @@ fn along_path(frame: &Frame, scene: &Scene, args: &BenchArgs, share: f32) -> Out
     let Some(world_from_camera) = scene.path.world_from_camera(share).filter(|_| !is_placed) else {
         return Ok(Frame { seconds, ..*frame });
     };
-    let lens = scene.cameras[0].lens;
-    let (near, far) = (frame.camera.near(), frame.camera.far());
-    let camera = Camera { name: String::new(), world_from_camera, lens, near, far };
-    let camera = umbrage_render::camera(&camera, frame.width as f32 / frame.height as f32)?;
+    let old = &frame.camera;
+    let camera = Camera::new(world_from_camera, old.projection(), old.near(), old.far())?;
     Ok(Frame { camera, seconds, ..*frame })
 }
 
@@ -144,21 +162,36 @@ fn spread(mut values: Vec<f64>) -> Spread {
 }
 
 fn text(report: &Report<'_>) -> String {
-    let Report { world, triangles, width, height, adapter, frames, milliseconds, views, bytes, .. } = report;
+    let Report { world, triangles, width, height, adapter, frames, bytes, .. } = report;
     let clock = if report.timestamps { "device timestamps" } else { "wall clock" };
     let mut text = format!(
         "{world}: {triangles} triangles, {width} x {height}, {frames} frames on {adapter}\n{bytes} bytes of shadow maps; passes by {clock}\n"
     );
-    let Milliseconds { plan, casters, shade, frame } = milliseconds;
-    for (name, Spread { median, p5, p95 }) in
-        [("plan", plan), ("casters", casters), ("shade", shade), ("frame", frame)]
-    {
-        text += &format!("{name:<8} {median:9.3} ms  ({p5:.3} to {p95:.3})\n");
-    }
-    for View { split, draws, triangles } in views {
+    text += &table(&report.milliseconds);
+    for View { split, draws, triangles } in &report.views {
         text += &format!("split {split}: {draws} draws, {triangles} triangles\n");
     }
+    if let Some(Baselines { no_shadows, no_culling }) = &report.baselines {
+        text +=
+            &format!("without shadows\n{}without culling parts\n{}", table(no_shadows), table(no_culling));
+        let (with, without) = (&report.milliseconds, no_shadows);
+        text += &format!(
+            "a frame takes {:.2} times as long with shadows\n",
+            with.frame.median / without.frame.median
+        );
+        let share = with.casters.median / no_culling.casters.median;
+        text += &format!("casters take {share:.2} times as long with culling\n");
+    }
     text
+}
+
+fn table(milliseconds: &Milliseconds) -> String {
+    let Milliseconds { plan, casters, shade, frame } = milliseconds;
+    let row = |(name, spread): (&str, &Spread)| {
+        let Spread { median, p5, p95 } = spread;
+        format!("  {name:<8} {median:9.3} ms  ({p5:.3} to {p95:.3})\n")
+    };
+    [("plan", plan), ("casters", casters), ("shade", shade), ("frame", frame)].into_iter().map(row).collect()
 }
 
 #[cfg(test)]

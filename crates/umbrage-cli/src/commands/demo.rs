@@ -27,6 +27,19 @@ const HEAD: u32 = 96;
 const LINE: u32 = 26;
 const WORDS: u32 = 5 * LINE;
 
+/// What the rows are, in the column that has no shadows to show.
+const LEGEND: [&str; 9] = [
+    "Upper row: the world as it is drawn.",
+    "",
+    "Middle row: the same, each split of the view tinted.",
+    "A split is a slice of depth with a shadow map of its own.",
+    "",
+    "Lower row: those shadow maps, seen from the sun,",
+    "near dark, far pale, white where nothing casts.",
+    "",
+    "Below: where the view is cut, and what it costs.",
+];
+
 /// A way to draw the world, and what came of it.
 struct Column {
     title: &'static str,
@@ -72,7 +85,16 @@ pub fn run(args: &DemoArgs) -> Outcome {
 fn main_frame(scene: &umbrage_scene::Scene) -> Outcome<Frame> {
     let camera = umbrage_render::camera(&scene.cameras[0], WIDTH as f32 / HEIGHT as f32)?;
     let (sun, sun_colour) = umbrage_render::sun(scene).context("the default world has a sun")?;
-    Ok(Frame { camera, sun, sun_colour, seconds: 0.0, width: WIDTH, height: HEIGHT, show: Show::World })
+    Ok(Frame {
+        camera,
+        sun,
+        sun_colour,
+        seconds: 0.0,
+        width: WIDTH,
+        height: HEIGHT,
+        samples: 4,
+        show: Show::World,
+    })
 }
 
 fn column(
@@ -110,13 +132,14 @@ fn column(
 /// How often a picture is drawn for its times.
 const RUNS: usize = 5;
 
-/// Draws a frame several times; the plan, and the median of each stage.
+/// Draws a frame several times with one sample a pixel, then once with all; the plan, and the median of each stage.
 fn timed(renderer: &mut Renderer<'_>, frame: &Frame) -> Outcome<(ShadowPlan, FrameTimes)> {
-    let first = renderer.render(frame)?;
     let mut times = Vec::new();
-    for _ in 0..RUNS {
-        times.push(renderer.render(frame)?.times);
+    for _ in 0..=RUNS {
+        times.push(renderer.render(&Frame { samples: 1, ..*frame })?.times);
     }
+    times.remove(0); // the first frame also makes what later ones reuse
+    let last = renderer.render(frame)?;
     let median = |pick: fn(&FrameTimes) -> f64| {
         let mut values: Vec<f64> = times.iter().map(pick).collect();
         values.sort_by(f64::total_cmp);
@@ -128,7 +151,7 @@ fn timed(renderer: &mut Renderer<'_>, frame: &Frame) -> Outcome<(ShadowPlan, Fra
         shade: median(|t| t.shade),
         frame: median(|t| t.frame),
     };
-    Ok((first.plan, times))
+    Ok((last.plan, times))
 }
 
 fn image_of(picture: Picture) -> anyhow::Result<RgbaImage> {
@@ -148,6 +171,7 @@ fn compose(heading: &str, columns: &[Column]) -> anyhow::Result<RgbaImage> {
     let width = GAP + columns.len() as u32 * (WIDTH + GAP);
     let height = HEAD + 2 * (HEIGHT + GAP) + MAP + GAP + WORDS;
     let mut sheet = Sheet::new(width, height)?;
+    let foot = HEAD + 2 * (HEIGHT + GAP) + MAP + GAP;
     sheet.write(heading, GAP, 12, 26.0);
     for (i, column) in columns.iter().enumerate() {
         let x = GAP + i as u32 * (WIDTH + GAP);
@@ -155,16 +179,20 @@ fn compose(heading: &str, columns: &[Column]) -> anyhow::Result<RgbaImage> {
         sheet.write(column.title, x, y - LINE - 8, 24.0);
         sheet.place(&column.shadowed, x, y, WIDTH, HEIGHT);
         y += HEIGHT + GAP;
+        for (j, line) in column.words.iter().enumerate() {
+            sheet.write(line, x, foot + j as u32 * LINE, 20.0);
+        }
+        if column.tinted.is_none() {
+            for (j, line) in LEGEND.iter().enumerate() {
+                sheet.write(line, x, y + j as u32 * (LINE + 6), 22.0);
+            }
+        }
         if let Some(tinted) = &column.tinted {
             sheet.place(tinted, x, y, WIDTH, HEIGHT);
             y += HEIGHT + GAP;
             for (j, map) in column.maps.iter().enumerate() {
                 sheet.place(map, x + j as u32 * (MAP + GAP), y, MAP, MAP);
             }
-            y += MAP + GAP;
-        }
-        for (j, line) in column.words.iter().enumerate() {
-            sheet.write(line, x, y + j as u32 * LINE, 20.0);
         }
     }
     Ok(sheet.image)

@@ -7,6 +7,7 @@ use super::{Fitted, LEAST_SIZE, LightSpace, Slice};
 use crate::bias::largest_bias;
 use crate::convex::ConvexBody;
 use crate::cull::ConvexVolume;
+use crate::settings::Select;
 use crate::stabilise::{bounding_sphere, quantise_up, snap};
 
 pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
@@ -29,7 +30,8 @@ pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
         let step = quantise_up(world.end - world.start + 2.0 * margin) / 16.0;
         (((world.start - margin) / step).floor() * step, ((world.end + margin) / step).ceil() * step)
     };
-    let casters = if receivers.is_empty() {
+    let is_read = !receivers.is_empty() || slice.settings.select == Select::Map;
+    let casters = if slice.bounds.world.is_empty() || !is_read {
         ConvexVolume::empty()
     } else {
         ConvexVolume::over_rectangle(min, max, far, &light)

@@ -56,7 +56,7 @@ fn camera_that_sees(bounds: Aabb) -> Camera {
     let radius = radius(bounds);
     // A sphere fits a cone of half angle 30° at twice its radius; a little air around it.
     let distance = 2.1 * radius;
-    let eye = bounds.centre() + TOWARDS_CAMERA.normalize() * distance;
+    let eye = bounds.centre() + TOWARDS_CAMERA.normalize_or_zero() * distance;
     // Near enough to fly around in the scene.
     let (near, far) = (radius / 50.0, distance + 1.1 * radius);
     Camera::looking("overview", eye, bounds.centre(), FRAC_PI_3, near, far)

@@ -119,7 +119,7 @@ pub(crate) fn icosphere(radius: f32, level: u32) -> Solid {
     for (a, b) in [(-1.0, t), (1.0, t), (-1.0, -t), (1.0, -t)] {
         points.extend([Vec3::new(a, b, 0.0), Vec3::new(0.0, a, b), Vec3::new(b, 0.0, a)]);
     }
-    points.iter_mut().for_each(|p| *p = p.normalize());
+    points.iter_mut().for_each(|p| *p = p.normalize_or_zero());
     // The faces of an icosahedron are the triples of corners that are all one edge apart.
     let near = |a: Vec3, b: Vec3| a.dot(b) > 0.4;
     let mut triangles = Vec::new();
@@ -140,7 +140,7 @@ pub(crate) fn icosphere(radius: f32, level: u32) -> Solid {
         for [a, b, c] in triangles {
             let mut middle = |a: u32, b: u32| {
                 *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                    points.push((points[a as usize] + points[b as usize]).normalize());
+                    points.push((points[a as usize] + points[b as usize]).normalize_or_zero());
                     points.len() as u32 - 1
                 })
             };

@@ -54,7 +54,7 @@ impl Ground {
         let step = self.side / self.quads as f32;
         let slope_x = self.height(x + step, z) - self.height(x - step, z);
         let slope_z = self.height(x, z + step) - self.height(x, z - step);
-        Vec3::new(-slope_x, 2.0 * step, -slope_z).normalize()
+        Vec3::new(-slope_x, 2.0 * step, -slope_z).normalize_or_zero()
     }
 
     fn corner(&self, column: usize, row: usize) -> f32 {

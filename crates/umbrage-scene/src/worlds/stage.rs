@@ -39,7 +39,7 @@ impl Stage {
             lights: vec![Light::sun(sun_along, 3.0)],
             ..Scene::default()
         };
-        Self { scene, dice: Dice::new(seed), view, sun_along: sun_along.normalize() }
+        Self { scene, dice: Dice::new(seed), view, sun_along: sun_along.normalize_or_zero() }
     }
 
     /// Adds a mesh of paints; nothing is placed yet.
@@ -121,7 +121,7 @@ impl Stage {
 
     /// Adds the dueling camera at `eye`: it looks into the sun, but `dip_degrees` lower, so that land is in view.
     pub fn look_into_sun(&mut self, eye: Vec3, dip_degrees: f32) {
-        let level = Vec3::new(-self.sun_along.x, 0.0, -self.sun_along.z).normalize();
+        let level = Vec3::new(-self.sun_along.x, 0.0, -self.sun_along.z).normalize_or_zero();
         let elevation = (-self.sun_along.y).asin() - dip_degrees.to_radians();
         self.look("dueling", eye, eye + level * elevation.cos() + Vec3::Y * elevation.sin());
     }

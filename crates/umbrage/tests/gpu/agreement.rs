@@ -21,7 +21,7 @@ fn is_near_a_boundary(drawn: &Drawn, maps: &MapTexels, query: &Query) -> bool {
     let depth = camera.forward().dot(query.position - camera.eye());
     let inner = &drawn.plan.splits()[1..];
     let split = inner.iter().filter(|c| depth >= **c as f32).count().min(inner.len() - 1);
-    let cosine = query.normal.dot(-LIGHT.normalize()).abs().max(0.05);
+    let cosine = query.normal.dot(-LIGHT.normalize_or_zero()).abs().max(0.05);
     let reach = 1.5 * drawn.plan.views()[split].texel_metres / cosine;
     if inner.iter().any(|c| (depth - *c as f32).abs() < reach) {
         return true;
@@ -135,7 +135,7 @@ fn shadows_are_there_at_all() {
     // Truth by brute force: a ray toward the light against every triangle.
     let mut wrong = 0;
     for (query, answer) in queries.iter().zip(&answers) {
-        let to_light = -LIGHT.normalize();
+        let to_light = -LIGHT.normalize_or_zero();
         if query.normal.dot(to_light) < 0.1 {
             continue;
         }

@@ -75,7 +75,7 @@ pub struct Query {
 pub fn queries(world: &[[Vec3; 3]], camera: &Camera, per_triangle: u32) -> Vec<Query> {
     let mut queries = Vec::new();
     for [a, b, c] in world {
-        let normal = (*b - *a).cross(*c - *a).normalize();
+        let normal = (*b - *a).cross(*c - *a).normalize_or_zero();
         for i in 0..per_triangle {
             // The R2 sequence, folded into the triangle.
             let u = (f64::from(i) * 0.754_877_666_246_693).fract() as f32;

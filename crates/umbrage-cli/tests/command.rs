@@ -1,0 +1,251 @@
+//! The command as scripts see it: keys of JSON, exit statuses, one-line errors, whole files or none.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+fn umbrage(args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_umbrage"));
+    // Mesa's GL complains on stderr where it has no such folder.
+    command.args(args).env("XDG_RUNTIME_DIR", std::env::temp_dir());
+    command.output().expect("the command runs")
+}
+
+/// What a command that succeeds prints.
+fn stdout(args: &[&str]) -> String {
+    let output = umbrage(args);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{args:?}: {stderr}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn json(args: &[&str]) -> Value {
+    serde_json::from_str(&stdout(args)).expect("JSON")
+}
+
+/// Demands a status and an error of one line that names something, and no file.
+fn refused(args: &[&str], status: i32, named: &str, unwritten: Option<&Path>) {
+    let output = umbrage(args);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    let errors: Vec<&str> = stderr.lines().filter(|line| line.starts_with("error:")).collect();
+    assert_eq!(output.status.code(), Some(status), "{args:?}: {stderr}");
+    assert_eq!(errors.len(), 1, "{args:?}: {stderr}");
+    assert!(stderr.contains(named), "{args:?} should name {named}: {stderr}");
+    assert!(!stderr.contains("panicked"), "{args:?}: {stderr}");
+    if let Some(path) = unwritten {
+        assert!(!path.exists(), "{args:?} left {}", path.display());
+    }
+}
+
+fn folder() -> TempDir {
+    tempfile::tempdir().expect("a folder")
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a readable path")
+}
+
+#[test]
+fn plan_prints_the_splits_of_the_papers_formula() {
+    let args =
+        ["plan", "bunny", "--near", "0.5", "--far", "300", "--set", "splits=5", "--set", "lambda=0.75"];
+    let printed = stdout(&args);
+    assert!(printed.contains("0.5, 16.447912, 34.919978, 62.464941, 122.621820, 300"), "{printed}");
+}
+
+#[test]
+fn plan_json_has_the_keys_that_scripts_rely_on() {
+    let plan = json(&["plan", "primitives", "--json", "-", "--set", "splits=3"]);
+    assert_eq!(plan["splits"].as_array().map(Vec::len), Some(4));
+    let views = plan["views"].as_array().expect("views");
+    assert_eq!(views.len(), 3);
+    for (i, view) in views.iter().enumerate() {
+        assert_eq!((view["light"].as_u64(), view["split"].as_u64()), (Some(0), Some(i as u64)));
+        let rows = view["clip_from_world"].as_array().expect("a matrix");
+        assert!(
+            rows.len() == 4 && rows.iter().all(|row| row.as_array().is_some_and(|r| r.len() == 4)),
+            "{view}"
+        );
+        assert_eq!(rows[3], serde_json::json!([0.0, 0.0, 0.0, 1.0]), "parallel light, row by row");
+        assert!(view["texel_metres"].as_f64().is_some_and(|t| t > 0.0), "{view}");
+        assert_eq!(view["depths"].as_array().map(Vec::len), Some(2));
+    }
+    assert_eq!((plan["texels"].as_u64(), plan["bytes"].as_u64()), (Some(3 << 20), Some(12 << 20)));
+}
+
+#[test]
+fn bench_json_has_the_keys_that_scripts_rely_on() {
+    let args = [
+        "bench",
+        "primitives",
+        "--json",
+        "-",
+        "--frames",
+        "3",
+        "--warm-up",
+        "1",
+        "--size",
+        "64x36",
+        "--baselines",
+    ];
+    let bench = json(&args);
+    assert_eq!(bench["frames"], 3);
+    assert_eq!(bench["every_frame"].as_array().map(Vec::len), Some(3));
+    for of in [&bench["milliseconds"], &bench["baselines"]["no_shadows"], &bench["baselines"]["no_culling"]] {
+        for stage in ["plan", "casters", "shade", "frame"] {
+            for key in ["median", "p5", "p95"] {
+                assert!(of[stage][key].as_f64().is_some(), "{stage}.{key} in {of}");
+            }
+        }
+    }
+    for view in bench["views"].as_array().expect("views") {
+        assert!(["split", "draws", "triangles"].iter().all(|key| view[key].is_u64()), "{view}");
+    }
+    assert!(bench["adapter"].is_string() && bench["triangles"] == 1300, "{bench}");
+}
+
+#[test]
+fn render_writes_picture_visibility_and_maps() {
+    let folder = folder();
+    let [picture, visibility, maps] = ["a.png", "v.png", "maps"].map(|name| folder.path().join(name));
+    let args = [
+        "render",
+        "primitives",
+        "--size",
+        "320x180",
+        "-o",
+        text(&picture),
+        "--visibility",
+        text(&visibility),
+    ];
+    stdout(&[&args[..], &["--maps", text(&maps), "--set", "resolution=256"]].concat());
+    let open = |path: &PathBuf| image::open(path).expect("a picture");
+    assert_eq!((open(&picture).width(), open(&picture).height()), (320, 180));
+    let grey = open(&visibility).into_luma8();
+    let count = |value: u8| grey.pixels().filter(|p| p.0[0] == value).count();
+    assert!(count(0) > 500 && count(255) > 20_000, "{} shadowed, {} lit", count(0), count(255));
+    for split in 0..4 {
+        let map = open(&maps.join(format!("light0-split{split}.png"))).into_luma8();
+        assert_eq!(map.width(), 256);
+        assert!(map.pixels().any(|p| p.0[0] < 200), "split {split} has casters");
+    }
+}
+
+#[test]
+fn an_exported_world_renders_as_the_built_in_one() {
+    let folder = folder();
+    let [file, a, b] = ["knights.glb", "a.png", "b.png"].map(|name| folder.path().join(name));
+    stdout(&["worlds", "export", "knights", text(&file)]);
+    for (world, picture) in [("knights", &a), (text(&file), &b)] {
+        stdout(&["render", world, "--size", "320x180", "-o", text(picture)]);
+    }
+    let open = |path: &Path| image::open(path).expect("a picture").into_rgba8();
+    assert!(open(&a) == open(&b), "the pictures differ");
+}
+
+#[test]
+fn demo_draws_one_picture_and_prints_its_table() {
+    let folder = folder();
+    let picture = folder.path().join("demo.png");
+    let printed = stdout(&["demo", "-o", text(&picture)]);
+    for wanted in
+        ["mining-terrain", "zhang-ssm-1024", "ferko-pssm-3x1024", "No shadows", "a texel is", "bytes", "ms"]
+    {
+        assert!(printed.contains(wanted), "{wanted}: {printed}");
+    }
+    assert!(image::open(&picture).expect("a picture").width() > 1500, "three columns");
+}
+
+#[test]
+fn lists_name_every_world_preset_and_adapter() {
+    let worlds = stdout(&["worlds"]);
+    for name in [
+        "primitives",
+        "bunny",
+        "dragon",
+        "brick-ground",
+        "robot-war",
+        "huge-chessboard",
+        "knights",
+        "mining-terrain",
+    ] {
+        assert!(worlds.contains(name), "{name}: {worlds}");
+    }
+    assert!(stdout(&["presets"]).contains("zhang-pssm4-512"), "presets");
+    assert!(stdout(&["adapters"]).lines().count() > 0, "adapters");
+}
+
+#[test]
+fn a_printed_preset_is_a_settings_file() {
+    let folder = folder();
+    let file = folder.path().join("ferko.toml");
+    std::fs::write(&file, stdout(&["presets", "ferko-pssm-3x512"])).expect("written");
+    let plan = json(&["plan", "bunny", "--json", "-", "--shadows", text(&file), "--set", "lambda=1"]);
+    assert_eq!((&plan["settings"]["resolution"], &plan["settings"]["splits"]), (&512.into(), &3.into()));
+    assert_eq!(plan["settings"]["lambda"], 1.0);
+}
+
+#[test]
+fn wrong_words_end_with_status_2_and_write_nothing() {
+    let folder = folder();
+    let picture = folder.path().join("a.png");
+    let out = text(&picture);
+    for (args, named) in [
+        (&["render", "bunny"][..], "nothing to write"),
+        (&["render", "bunnie", "-o", out], "bunny"),
+        (&["render", "bunny", "-o", out, "--sise", "64x64"], "--size"),
+        (&["render", "bunny", "-o", out, "--size", "0x64"], "at least one pixel"),
+        (&["render", "bunny", "-o", out, "--size", "big"], "width x height"),
+        (&["render", "bunny", "-o", out, "--camera", "99"], "main"),
+        (&["render", "bunny", "-o", out, "--eye", "1,2,3"], "--target"),
+        (&["render", "bunny", "-o", out, "--eye", "1,2,3", "--target", "1,2,3"], "same point"),
+        (&["render", "bunny", "-o", out, "--near", "5", "--far", "2"], "near 5 m and far 2 m"),
+        (&["render", "bunny", "-o", out, "--near", "nan"], "near NaN m"),
+        (&["render", "bunny", "-o", out, "--fov", "200"], "200 degrees"),
+        (&["render", "bunny", "-o", out, "--sun", "0,0,0"], "direction"),
+        (&["render", "bunny", "-o", out, "--time", "inf"], "--time"),
+        (&["render", "bunny", "-o", out, "--preset", "bevie"], "ferko-sm-1024"),
+        (&["render", "bunny", "-o", out, "--set", "splits=10"], "`splits` must be from 1 to 9"),
+        (&["render", "bunny", "-o", out, "--set", "splitz=3"], "splitz"),
+        (&["plan", "bunny", "--set", "distance=0.001"], "distance"),
+        (&["bench", "bunny", "--frames", "0"], "frames"),
+        (&["presets", "nobody"], "nobody"),
+        (&["worlds", "export", "nowhere", out], "nowhere"),
+        (&["paint"], "paint"),
+    ] {
+        refused(args, 2, named, Some(&picture));
+    }
+}
+
+#[test]
+fn work_that_fails_ends_with_status_1_and_writes_nothing() {
+    let folder = folder();
+    let picture = folder.path().join("a.png");
+    let out = text(&picture);
+    let file = |name: &str, bytes: &[u8]| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).expect("written");
+        path
+    };
+    let empty = file("empty.glb", b"");
+    let truncated = file("truncated.glb", b"glTF\x02\0\0\0\xff\0\0\0");
+    let unknown = file("scene.fbx", b"Kaydara");
+    let missing = folder.path().join("missing.glb");
+    for broken in [&empty, &truncated, &unknown, &missing, &folder.path().to_path_buf()] {
+        refused(&["render", text(broken), "-o", out], 1, text(broken), Some(&picture));
+    }
+    refused(&["render", "bunny", "-o", out, "--adapter", "voodoo"], 1, "voodoo", Some(&picture));
+    refused(&["render", "bunny", "-o", out, "--size", "100000x100000"], 1, "100000 x 100000", Some(&picture));
+    let nowhere = folder.path().join("no/such/folder/a.png");
+    refused(
+        &["render", "bunny", "--size", "64x36", "-o", text(&nowhere)],
+        1,
+        "no/such/folder",
+        Some(&nowhere),
+    );
+    refused(&["render", "bunny", "--size", "64x36", "-o", text(folder.path())], 1, "folder", None);
+    let left: Vec<_> = std::fs::read_dir(folder.path()).expect("a folder").filter_map(Result::ok).collect();
+    assert_eq!(left.len(), 3, "no temporary files: {left:?}");
+}

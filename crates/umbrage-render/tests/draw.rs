@@ -1,0 +1,135 @@
+//! What the renderer promises: culling changes nothing but the cost, files draw as built-in worlds do, and every shader
+//! is valid.
+
+#[path = "../../umbrage-scene/examples/large_gltf.rs"]
+#[expect(dead_code, reason = "the example's main is for the command line")]
+mod large_gltf;
+
+use umbrage_render::umbrage::{Filter, MapTexels, Select, Settings};
+use umbrage_render::{Frame, Gpu, Picture, Rendered, Renderer, Show};
+use umbrage_scene::{Scene, load_glb_bytes, to_glb, worlds};
+
+fn frame(scene: &Scene, show: Show) -> Frame {
+    let (width, height) = (320, 180);
+    let camera =
+        umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a good camera");
+    let (sun, sun_colour) = umbrage_render::sun(scene).expect("a sun");
+    Frame { camera, sun, sun_colour, seconds: 0.0, width, height, samples: 1, show }
+}
+
+fn draw(gpu: &Gpu, scene: &Scene, settings: Settings, cull_parts: bool) -> (Rendered, Picture, MapTexels) {
+    let mut renderer = Renderer::new(gpu, scene, settings).expect("a renderer");
+    renderer.cull_parts = cull_parts;
+    let rendered = renderer.render(&frame(scene, Show::Visibility)).expect("a frame");
+    (rendered, renderer.picture().expect("a picture"), renderer.maps().expect("maps"))
+}
+
+#[test]
+fn culling_parts_halves_what_a_large_file_draws_and_changes_no_texel_that_is_read() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    let bytes = to_glb(&large_gltf::town()).expect("a file");
+    let scene = load_glb_bytes(&bytes, "town").expect("the file reads back").scene;
+    assert!(scene.triangles() > 1_500_000 && scene.instances.len() == 300, "{} triangles", scene.triangles());
+    let largest = scene.meshes.iter().map(umbrage_scene::Mesh::triangles).max();
+    assert!(largest > Some(280_000), "one mesh is large: {largest:?}");
+    let triangles = |rendered: &Rendered| rendered.views.iter().map(|view| view.triangles).sum::<u64>();
+    for select in [Select::Map, Select::Depth] {
+        let settings = Settings { filter: Filter::Hard {}, select, ..Settings::default() };
+        let (culled, picture, maps) = draw(&gpu, &scene, settings.clone(), true);
+        let (all, picture_of_all, maps_of_all) = draw(&gpu, &scene, settings, false);
+        let differing: Vec<_> = maps.depths.iter().zip(&maps_of_all.depths).filter(|(a, b)| a != b).collect();
+        let (few, many) = (triangles(&culled), triangles(&all));
+        println!("{select:?}: {few} of {many} caster triangles are drawn, {} texels differ", differing.len());
+        assert!(2 * few < many, "{select:?}: {few} of {many}");
+        assert!(picture == picture_of_all, "{select:?}: visibility is the same");
+        match select {
+            // Any texel may be read, so all are the same.
+            Select::Map => assert_eq!(differing.len(), 0, "texels differ"),
+            // Casters that no receiver of the slice can meet are left out: their texels are farther, and never read.
+            Select::Depth | Select::ClipDepth => {
+                assert!(differing.iter().all(|(culled, all)| culled > all), "culling only removes casters");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_exported_world_draws_as_the_built_in_one() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    let built_in = worlds::build("knights", 0).expect("a world");
+    let bytes = to_glb(&built_in).expect("a file");
+    let from_file = load_glb_bytes(&bytes, "knights").expect("the file reads back").scene;
+    for show in [Show::World, Show::Visibility] {
+        let picture = |scene: &Scene| {
+            let mut renderer = Renderer::new(&gpu, scene, Settings::default()).expect("a renderer");
+            renderer.render(&frame(scene, show)).expect("a frame");
+            renderer.picture().expect("a picture")
+        };
+        assert!(picture(&built_in) == picture(&from_file), "{show:?}: the pictures differ");
+    }
+}
+
+#[test]
+fn moving_things_move_with_time_and_come_back() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    let scene = worlds::build("brick-ground", 0).expect("a world");
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let mut at = |seconds| {
+        renderer.render(&Frame { seconds, ..frame(&scene, Show::World) }).expect("a frame");
+        renderer.picture().expect("a picture")
+    };
+    let (start, later, again) = (at(0.0), at(1.3), at(0.0));
+    let moved = start.rgba.chunks(4).zip(later.rgba.chunks(4)).filter(|(a, b)| a != b).count();
+    assert!(moved > 200, "{moved} pixels changed");
+    assert!(start == again, "the first picture comes back");
+}
+
+#[test]
+fn pictures_show_shadow_sky_and_splits_where_they_should() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    let scene = worlds::build("primitives", 0).expect("a world");
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let mut shown = |show| {
+        renderer.render(&frame(&scene, show)).expect("a frame");
+        renderer.picture().expect("a picture").rgba
+    };
+    let (world, plain, splits, visibility) =
+        (shown(Show::World), shown(Show::Unshadowed), shown(Show::Splits), shown(Show::Visibility));
+    let (mut shadowed, mut lit, mut tinted) = (0, 0, 0);
+    for i in (0..world.len()).step_by(4) {
+        let (world, plain, splits) = (&world[i..i + 3], &plain[i..i + 3], &splits[i..i + 3]);
+        match visibility[i] {
+            255 => {
+                assert_eq!(world, plain, "pixel {}: lit pixels are as without shadows", i / 4);
+                lit += 1;
+            }
+            0 if world != plain => {
+                assert!(world.iter().zip(plain).all(|(a, b)| a <= b), "pixel {}: shadows only darken", i / 4);
+                shadowed += 1;
+            }
+            _ => {}
+        }
+        tinted += usize::from(world != splits);
+    }
+    assert!(shadowed > 500 && lit > 20_000, "{shadowed} shadowed, {lit} lit");
+    assert!(tinted > 20_000, "{tinted} pixels are tinted");
+}
+
+#[test]
+fn every_shader_of_the_renderer_is_valid_wgsl() {
+    use umbrage_render::umbrage::{caster_wgsl, receiver_wgsl};
+    let check = |text: String| {
+        let module =
+            naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+        let (flags, capabilities) = (naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+        let result = naga::valid::Validator::new(flags, capabilities).validate(&module);
+        result.unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+    };
+    check(caster_wgsl() + include_str!("../shaders/caster.wgsl"));
+    for select in [Select::Depth, Select::ClipDepth, Select::Map] {
+        for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
+            let settings = Settings { select, filter, ..Settings::default() };
+            check(receiver_wgsl(&settings, 1) + include_str!("../shaders/shade.wgsl"));
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Other programs, run from the repository's root.
+
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context as _, ensure};
+
+/// The repository's root.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
+}
+
+/// Runs a program to its end; what it printed.
+pub fn run(program: &str, args: &[&str]) -> anyhow::Result<String> {
+    let line = format!("{program} {}", args.join(" "));
+    eprintln!("{line}");
+    let output =
+        Command::new(program).args(args).current_dir(root()).output().with_context(|| line.clone())?;
+    ensure!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// Runs the release build of `umbrage`.
+pub fn umbrage(args: &[&str]) -> anyhow::Result<String> {
+    run("cargo", &[&["run", "--release", "--quiet", "-p", "umbrage-cli", "--"], args].concat())
+}

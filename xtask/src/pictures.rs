@@ -1,0 +1,26 @@
+//! The pictures of the documents.
+
+use crate::command::{root, umbrage};
+
+/// World, camera and file of every single picture.
+const PICTURES: &[(&str, &str, &str)] = &[
+    ("mining-terrain", "main", "mining-terrain"),
+    ("knights", "main", "knights"),
+    ("huge-chessboard", "main", "huge-chessboard"),
+    ("robot-war", "main", "robot-war"),
+    ("brick-ground", "main", "brick-ground"),
+    ("primitives", "main", "primitives"),
+    ("bunny", "main", "bunny"),
+    ("dragon", "main", "dragon"),
+];
+
+pub fn draw() -> anyhow::Result<()> {
+    std::fs::create_dir_all(root().join("docs/pictures"))?;
+    umbrage(&["demo", "-o", "docs/pictures/demo.png"])?;
+    for (world, camera, file) in PICTURES {
+        let output = format!("docs/pictures/{file}.png");
+        let size = if *file == "mining-terrain" { "1280x720" } else { "640x360" };
+        umbrage(&["render", world, "--camera", camera, "--size", size, "-o", &output])?;
+    }
+    Ok(())
+}

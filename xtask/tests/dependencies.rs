@@ -1,0 +1,96 @@
+//! Who may see whom: the table of ARCHITECTURE.md, held against `cargo metadata`.
+
+use std::collections::BTreeSet;
+
+use cargo_metadata::{DependencyKind, MetadataCommand};
+
+/// A crate of ours, and everything it may depend on outside its tests.
+const ALLOWED: &[(&str, &[&str])] = &[
+    ("umbrage-core", &["glam", "serde"]),
+    ("umbrage", &["umbrage-core", "wgpu", "encase", "bytemuck", "thiserror", "glam"]),
+    ("umbrage-scene", &["glam", "gltf", "tobj", "image", "noise-functions", "rand_pcg", "thiserror"]),
+    (
+        "umbrage-render",
+        &[
+            "umbrage",
+            "umbrage-scene",
+            "wgpu",
+            "wgpu-profiler",
+            "encase",
+            "bytemuck",
+            "glam",
+            "pollster",
+            "thiserror",
+        ],
+    ),
+    (
+        "umbrage-cli",
+        &[
+            "umbrage",
+            "umbrage-scene",
+            "umbrage-render",
+            "clap",
+            "anyhow",
+            "indicatif",
+            "serde",
+            "serde_json",
+            "toml",
+            "image",
+            "glam",
+            "tempfile",
+            "ab_glyph",
+            "epaint_default_fonts",
+        ],
+    ),
+    ("xtask", &["anyhow", "clap", "serde_json"]),
+];
+
+#[test]
+fn every_crate_sees_only_what_the_table_allows() {
+    let metadata = MetadataCommand::new().no_deps().exec().expect("cargo metadata runs");
+    let members: BTreeSet<&str> = metadata.workspace_packages().iter().map(|p| p.name.as_str()).collect();
+    assert_eq!(
+        members,
+        ALLOWED.iter().map(|(name, _)| *name).collect(),
+        "the table lists every crate, and no other"
+    );
+    for package in metadata.workspace_packages() {
+        let (_, allowed) =
+            ALLOWED.iter().find(|(name, _)| *name == package.name.as_str()).expect("listed above");
+        for dependency in package.dependencies.iter().filter(|d| d.kind != DependencyKind::Development) {
+            assert!(
+                allowed.contains(&dependency.name.as_str()),
+                "{} may not depend on {}",
+                package.name,
+                dependency.name
+            );
+        }
+    }
+}
+
+#[test]
+fn core_needs_glam_alone_unless_asked() {
+    let metadata = MetadataCommand::new().no_deps().exec().expect("cargo metadata runs");
+    let core = metadata
+        .workspace_packages()
+        .into_iter()
+        .find(|p| p.name.as_str() == "umbrage-core")
+        .expect("a member");
+    let needed: Vec<&str> = core
+        .dependencies
+        .iter()
+        .filter(|d| d.kind == DependencyKind::Normal && !d.optional)
+        .map(|d| d.name.as_str())
+        .collect();
+    assert_eq!(needed, ["glam"]);
+}
+
+#[test]
+fn there_is_one_version_of_each_graphics_crate() {
+    let metadata = MetadataCommand::new().exec().expect("cargo metadata runs");
+    for name in ["glam", "wgpu", "naga", "encase", "image"] {
+        let versions: Vec<_> =
+            metadata.packages.iter().filter(|p| p.name.as_str() == name).map(|p| &p.version).collect();
+        assert_eq!(versions.len(), 1, "{name}: {versions:?}");
+    }
+}
