@@ -5,7 +5,8 @@
 #[expect(dead_code, reason = "the example's main is for the command line")]
 mod large_gltf;
 
-use umbrage_render::umbrage::{Filter, MapTexels, Select, Settings};
+use glam::{Mat4, Vec3};
+use umbrage_render::umbrage::{Bias, CasterFaces, Filter, MapTexels, Select, Settings};
 use umbrage_render::{Frame, Gpu, Picture, Rendered, Renderer, Show};
 use umbrage_scene::{Scene, load_glb_bytes, to_glb, worlds};
 
@@ -66,6 +67,48 @@ fn an_exported_world_draws_as_the_built_in_one() {
             renderer.picture().expect("a picture")
         };
         assert!(picture(&built_in) == picture(&from_file), "{show:?}: the pictures differ");
+    }
+}
+
+#[test]
+fn wide_filters_lose_no_caster_to_culling() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    let scene = worlds::build("robot-war", 0).expect("a world");
+    let settings = Settings { filter: Filter::Pcf { size: 9 }, resolution: 256, ..Settings::default() };
+    let (culled, picture, _) = draw(&gpu, &scene, settings.clone(), true);
+    let (all, picture_of_all, _) = draw(&gpu, &scene, settings, false);
+    let triangles = |rendered: &Rendered| rendered.views.iter().map(|view| view.triangles).sum::<u64>();
+    assert!(triangles(&culled) < triangles(&all), "something is culled");
+    assert!(picture == picture_of_all, "visibility is the same");
+}
+
+#[test]
+fn mirrored_instances_cast_with_the_faces_that_were_asked_for() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    let scene = worlds::build("bunny", 0).expect("a world");
+    // The same world seen in a mirror twice: meshes mirrored along x, and every instance mirrored back.
+    let mut mirrored = scene.clone();
+    let flip = Mat4::from_scale(Vec3::new(-1.0, 1.0, 1.0));
+    for mesh in &mut mirrored.meshes {
+        mesh.positions.iter_mut().chain(&mut mesh.normals).for_each(|v| v.x = -v.x);
+        mesh.indices.as_chunks_mut::<3>().0.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        mesh.bounds = mesh.bounds.transformed(&flip);
+        mesh.parts.iter_mut().for_each(|part| part.bounds = part.bounds.transformed(&flip));
+    }
+    mirrored.instances.iter_mut().for_each(|instance| instance.world_from_mesh *= flip);
+    let maps = |scene: &Scene, casters| {
+        let bias = Bias { casters, ..Bias::default() };
+        draw(&gpu, scene, Settings { bias, resolution: 256, ..Settings::default() }, true).2
+    };
+    let (front, back) = (maps(&scene, CasterFaces::Front), maps(&scene, CasterFaces::Back));
+    // Depths are interpolated from corners in another order, and rounded so.
+    let differing = |a: &MapTexels, b: &MapTexels| {
+        a.depths.iter().zip(&b.depths).filter(|(a, b)| (*a - *b).abs() > 1e-5).count()
+    };
+    assert!(differing(&front, &back) > 1000, "front and back faces differ");
+    for (casters, expected) in [(CasterFaces::Front, &front), (CasterFaces::Back, &back)] {
+        let wrong = differing(&maps(&mirrored, casters), expected);
+        assert!(wrong < 50, "{casters:?}: {wrong} texels differ");
     }
 }
 
