@@ -74,7 +74,7 @@ fn points_and_lines_are_left_out_with_one_warning() {
     doc.primitives = format!("{line}, {line}, {}", doc.primitives);
     let Imported { scene, warnings } = doc.load().unwrap();
     assert_eq!(scene.triangles(), 1);
-    assert_eq!(warnings, ["points and lines are left out: mesh 0 and 1 more"]);
+    assert_eq!(warnings, ["points and lines are left out: mesh 0"]);
 }
 
 #[test]
@@ -294,7 +294,7 @@ fn what_is_ignored_is_said_in_one_line_a_kind() {
         doc.load().unwrap().warnings,
         [
             "extensions that are not supported are ignored: KHR_materials_unlit",
-            "transparent materials are drawn as opaque: glass and 1 more",
+            "transparent materials are drawn as opaque: glass, material 1",
             "vertex colours are ignored: mesh 0",
             "morph targets are ignored: mesh 0",
             "skins are ignored: hero",
