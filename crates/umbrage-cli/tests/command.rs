@@ -238,6 +238,14 @@ fn work_that_fails_ends_with_status_1_and_writes_nothing() {
     }
     refused(&["render", "bunny", "-o", out, "--adapter", "voodoo"], 1, "voodoo", Some(&picture));
     refused(&["render", "bunny", "-o", out, "--size", "100000x100000"], 1, "100000 x 100000", Some(&picture));
+    let too_large = ["render", "bunny", "-o", out, "--set", "resolution=16384", "--set", "splits=9"];
+    let output = umbrage(&too_large);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    // 9.7 GB of maps: some adapters have them.
+    let is_said = stderr.contains("memory for the shadow maps") && output.status.code() == Some(1);
+    assert!(output.status.success() || is_said, "{stderr}");
+    assert_eq!(picture.exists(), output.status.success(), "a picture or an error");
+    let _ = std::fs::remove_file(&picture);
     let nowhere = folder.path().join("no/such/folder/a.png");
     refused(
         &["render", "bunny", "--size", "64x36", "-o", text(&nowhere)],

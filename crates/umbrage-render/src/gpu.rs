@@ -136,11 +136,16 @@ impl Gpu {
     where
         RenderError: From<E>,
     {
-        let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        // What was refused for want of memory is invalid wherever it is used next: both are one failure.
+        let invalid = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let no_memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let made = make();
-        match pollster::block_on(scope.pop()) {
-            Some(_) => Err(RenderError::Device(format!("there is no memory for {what}"))),
-            None => Ok(made?),
+        let no_memory = pollster::block_on(no_memory.pop());
+        let invalid = pollster::block_on(invalid.pop());
+        match (no_memory, invalid) {
+            (None, None) => Ok(made?),
+            (Some(_), _) => Err(RenderError::Device(format!("there is no memory for {what}"))),
+            (None, Some(error)) => Err(RenderError::Device(format!("{what} cannot be made: {error}"))),
         }
     }
 
