@@ -171,7 +171,7 @@ pub struct ShadowArgs {
     /// Named settings to start from (see `umbrage presets`)
     #[arg(long, value_name = "NAME", default_value = "default")]
     pub preset: String,
-    /// Settings from a TOML file's [shadows]
+    /// Settings from the table `shadows` of a TOML file
     #[arg(long, value_name = "FILE.toml")]
     pub shadows: Option<PathBuf>,
     /// One setting, as splits=3 or filter.kind=pcf; repeatable
