@@ -30,8 +30,7 @@ pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
 /// The light-space box around the objects that the slice may touch, each cut to the slice's own box first.
 fn objects_in(slice: &Slice<'_>, receivers: &ConvexBody, light: &LightSpace) -> (DVec3, DVec3) {
     let (low, high) = bounds_of(receivers.corners());
-    let near = slice.camera.clip_from_world();
-    let frustum = ConvexVolume::of_clip(&near);
+    let frustum = ConvexVolume::of_clip(&slice.camera.clip_from_world());
     let mut sum = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for object in slice.bounds.objects.iter().filter(|object| frustum.may_touch_box(object)) {
         let cut = Aabb { min: object.min.max(low.as_vec3()), max: object.max.min(high.as_vec3()) };
