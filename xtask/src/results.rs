@@ -54,9 +54,10 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
     let mut text = format!(
         "# Results\n\n\
          Written by `cargo xtask results`; do not edit.\n\n\
-         Adapter: {adapter}.\nCommit: {commit}.\nPictures of {SIZE} pixels, one sample a pixel, {frames} frames along each world's path after 5 uncounted.\n\
+         Machine: {}.\nAdapter: {adapter}.\nCommit: {commit}.\nPictures of {SIZE} pixels, one sample a pixel, {frames} frames along each world's path after 5 uncounted.\n\
          Shadows: the preset `default`, {} bytes of maps.\nPasses are timed by {clock}, frames by the wall clock.\n\
          Medians, with the 5th and 95th percentile in brackets.\n",
+        machine(),
         first["bytes"]
     );
     if adapter.contains("software") {
@@ -101,6 +102,15 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
         .ok()?;
     }
     Some(text)
+}
+
+/// Processor, cores and system.
+fn machine() -> String {
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = information.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    let model = model.map_or(std::env::consts::ARCH, |(_, model)| model.trim());
+    format!("{model}, {cores} cores, {}", std::env::consts::OS)
 }
 
 fn median(spread: &Value) -> Option<f64> {
