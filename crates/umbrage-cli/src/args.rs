@@ -143,13 +143,13 @@ pub struct WorldArgs {
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "eye", allow_hyphen_values = true)]
     pub target: Option<Vec3>,
     /// Whole vertical field of view, degrees
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub fov: Option<f32>,
     /// Nearest visible depth, metres
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub near: Option<f32>,
     /// Farthest visible depth, metres
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub far: Option<f32>,
     /// The way sunlight travels
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, allow_hyphen_values = true)]
@@ -158,7 +158,7 @@ pub struct WorldArgs {
     #[arg(long, value_name = "WxH", value_parser = parse_size, default_value = "1280x720")]
     pub size: (u32, u32),
     /// When, for things that move, seconds
-    #[arg(long, value_name = "S", default_value_t = 0.0)]
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
     pub time: f32,
     /// What a built-in world is grown from
     #[arg(long, default_value_t = 0)]

@@ -203,6 +203,7 @@ fn wrong_words_end_with_status_2_and_write_nothing() {
         (&["render", "bunny", "-o", out, "--eye", "1,2,3", "--target", "1,2,3"], "same point"),
         (&["render", "bunny", "-o", out, "--near", "5", "--far", "2"], "near 5 m and far 2 m"),
         (&["render", "bunny", "-o", out, "--near", "nan"], "near NaN m"),
+        (&["render", "bunny", "-o", out, "--near", "-1"], "near -1 m"),
         (&["render", "bunny", "-o", out, "--fov", "200"], "200 degrees"),
         (&["render", "bunny", "-o", out, "--sun", "0,0,0"], "direction"),
         (&["render", "bunny", "-o", out, "--time", "inf"], "--time"),

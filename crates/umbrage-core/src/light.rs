@@ -21,8 +21,9 @@ impl Light {
     /// # Errors
     /// When `direction` is zero or not finite.
     pub fn directional(direction: Vec3) -> Result<Self, LightError> {
-        let unit = direction.try_normalize().ok_or(LightError::Direction(direction.to_array()))?;
-        Ok(Self::Directional { direction: unit })
+        // In f64, which holds the square of every f32.
+        let unit = direction.as_dvec3().try_normalize().ok_or(LightError::Direction(direction.to_array()))?;
+        Ok(Self::Directional { direction: unit.as_vec3() })
     }
 
     /// Unit direction toward the light, in world space; for a directional light the same everywhere.
@@ -36,6 +37,23 @@ impl Light {
     pub fn views(&self, splits: u32) -> u32 {
         match self {
             Self::Directional { .. } => splits,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_of_any_length_will_do() {
+        for length in [1e-30, 1.0, 1e38] {
+            let light = Light::directional(Vec3::new(0.6, -0.8, 0.0) * length);
+            let to_light = light.map(|light| light.direction_to_light());
+            assert!(
+                to_light.is_ok_and(|d| (d - Vec3::new(-0.6, 0.8, 0.0)).length() < 1e-6),
+                "{length}: {light:?}"
+            );
         }
     }
 }
