@@ -71,7 +71,7 @@ fn array_and_atlas_give_the_same_visibility_everywhere() {
     for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
         let answers = [Storage::Array, Storage::Atlas].map(|storage| {
             let settings = Settings { storage, filter, ..settings() };
-            draw(device(wgpu::Backends::VULKAN), settings, &camera, LIGHT, &world).visibility(&queries)
+            draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world).visibility(&queries)
         });
         // A tile that does not start at 0 rounds positions differently: the sampler's weights may differ by that, and
         // now and then a texel on an edge of the map.
@@ -89,7 +89,7 @@ fn the_three_selections_differ_only_at_boundaries() {
     for fit in [Fit::Scene, Fit::View, Fit::Stable] {
         let drawn = |select| {
             let settings = Settings { select, fit, ..settings() };
-            draw(device(wgpu::Backends::VULKAN), settings, &camera, LIGHT, &world)
+            draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world)
         };
         let by_depth = drawn(Select::Depth);
         let expected = by_depth.visibility(&queries);
@@ -105,8 +105,8 @@ fn the_three_selections_differ_only_at_boundaries() {
 fn vulkan_and_gl_differ_only_at_boundaries() {
     let (world, camera) = (world(), eye());
     let queries = queries(&world, &camera, 300);
-    let vulkan = draw(device(wgpu::Backends::VULKAN), settings(), &camera, LIGHT, &world);
-    let gl = draw(device(wgpu::Backends::GL), settings(), &camera, LIGHT, &world);
+    let vulkan = draw(device(wgpu::Backends::VULKAN), settings(), &camera, &[LIGHT], &world);
+    let gl = draw(device(wgpu::Backends::GL), settings(), &camera, &[LIGHT], &world);
     let (a, b) = (vulkan.visibility(&queries), gl.visibility(&queries));
     demand_agreement("Vulkan and GL", &vulkan, &queries, &a, &b, 2);
 }
@@ -117,7 +117,7 @@ fn without_unclipped_depth_near_planes_move_and_shadows_stay() {
     let queries = queries(&world, &camera, 300);
     let drawn = |unclipped_depth| {
         let settings = Settings { unclipped_depth, ..settings() };
-        draw(device(wgpu::Backends::VULKAN), settings, &camera, LIGHT, &world)
+        draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world)
     };
     let (with, without) = (drawn(true), drawn(false));
     assert!(with.shadows.settings().unclipped_depth, "the test adapter has unclipped depth");
@@ -131,7 +131,7 @@ fn shadows_are_there_at_all() {
     let (world, camera) = (world(), eye());
     let queries = queries(&world, &camera, 300);
     let answers =
-        draw(device(wgpu::Backends::VULKAN), settings(), &camera, LIGHT, &world).visibility(&queries);
+        draw(device(wgpu::Backends::VULKAN), settings(), &camera, &[LIGHT], &world).visibility(&queries);
     // Truth by brute force: a ray toward the light against every triangle.
     let mut wrong = 0;
     for (query, answer) in queries.iter().zip(&answers) {
@@ -171,7 +171,7 @@ fn a_moving_camera_leaves_the_texels_of_a_stable_map_as_they_are() {
             let turn = i as f32 * 0.13;
             let eye = Vec3::new(-30.0 + 1.7 * i as f32, 9.0 + 0.3 * i as f32, 38.0 - 2.3 * i as f32);
             let camera = camera(eye, eye + Vec3::new(turn.sin(), -0.25, -turn.cos()));
-            let drawn = draw(device(wgpu::Backends::VULKAN), settings.clone(), &camera, LIGHT, &world);
+            let drawn = draw(device(wgpu::Backends::VULKAN), settings.clone(), &camera, &[LIGHT], &world);
             let maps = drawn.maps();
             (drawn, maps)
         })
@@ -204,4 +204,32 @@ fn a_moving_camera_leaves_the_texels_of_a_stable_map_as_they_are() {
     );
     assert!(moved > 20 && compared > 1_000_000, "the maps move: {moved}, and overlap: {compared}");
     assert_eq!(differing, 0, "of {compared}; largest difference {largest}");
+}
+
+#[test]
+fn each_of_several_lights_has_the_shadows_it_has_alone() {
+    let (world, camera) = (world(), eye());
+    let queries = queries(&world, &camera, 100);
+    let other = Vec3::new(-0.7, -0.6, -0.2);
+    let lone = |light| {
+        draw(device(wgpu::Backends::VULKAN), settings(), &camera, &[light], &world).visibility(&queries)
+    };
+    let (first, second) = (lone(LIGHT), lone(other));
+    assert!(first != second, "the lights differ");
+    for storage in [Storage::Array, Storage::Atlas] {
+        let settings = Settings { storage, ..settings() };
+        for (lights, expected) in [([LIGHT, other], [&first, &second]), ([other, LIGHT], [&second, &first])] {
+            let drawn = draw(device(wgpu::Backends::VULKAN), settings.clone(), &camera, &lights, &world);
+            for (light, expected) in (0..).zip(expected) {
+                let answers = drawn.light_visibility(light, &queries);
+                let differ = answers.iter().zip(expected).filter(|(a, b)| a != b).count();
+                assert!(differ * 10_000 <= queries.len(), "{storage:?}, light {light}: {differ} differ");
+            }
+            let unknown = drawn.light_visibility(2, &queries);
+            assert!(
+                unknown.iter().all(|visibility| *visibility == 1.0),
+                "a light that is not there casts no shadow"
+            );
+        }
+    }
 }

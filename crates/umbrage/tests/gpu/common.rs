@@ -104,12 +104,13 @@ pub fn draw(
     (device, queue): (wgpu::Device, wgpu::Queue),
     settings: Settings,
     camera: &Camera,
-    light: Vec3,
+    lights: &[Vec3],
     world: &[[Vec3; 3]],
 ) -> Drawn {
-    let mut shadows = Shadows::new(&device, settings).expect("valid settings");
-    let light = Light::directional(light).expect("a light");
-    let plan = shadows.plan(camera, &[light], &bounds(world)).expect("a plan");
+    let mut shadows = Shadows::for_lights(&device, settings, lights.len()).expect("valid settings");
+    let lights: Vec<Light> =
+        lights.iter().map(|light| Light::directional(*light).expect("a light")).collect();
+    let plan = shadows.plan(camera, &lights, &bounds(world)).expect("a plan");
     shadows.upload(&queue, &plan);
     let source = caster_wgsl()
         + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";
@@ -170,15 +171,28 @@ impl Drawn {
 
     /// What `umbrage_visibility` says at every query.
     pub fn visibility(&self, queries: &[Query]) -> Vec<f32> {
+        self.answers("umbrage_visibility(queries[id.x].position, queries[id.x].normal, vec2f(0.5))", queries)
+    }
+
+    /// What `umbrage_light_visibility` says of one light at every query.
+    pub fn light_visibility(&self, light: u32, queries: &[Query]) -> Vec<f32> {
+        let call = format!(
+            "umbrage_light_visibility({light}u, queries[id.x].position, queries[id.x].normal, vec2f(0.5))"
+        );
+        self.answers(&call, queries)
+    }
+
+    fn answers(&self, call: &str, queries: &[Query]) -> Vec<f32> {
         let main = "
             struct Query { position: vec3f, normal: vec3f }
             @group(0) @binding(0) var<storage, read> queries: array<Query>;
             @group(0) @binding(1) var<storage, read_write> answers: array<f32>;
             @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
                 if id.x >= arrayLength(&queries) { return; }
-                answers[id.x] = umbrage_visibility(queries[id.x].position, queries[id.x].normal, vec2f(0.5));
+                answers[id.x] = ask_umbrage(id);
             }";
-        self.ask(&(self.shadows.wgsl(1) + main), bytemuck::cast_slice(queries), queries.len())
+        let ask = format!("fn ask_umbrage(id: vec3u) -> f32 {{ return {call}; }}");
+        self.ask(&(self.shadows.wgsl(1) + main + &ask), bytemuck::cast_slice(queries), queries.len())
     }
 
     /// What the filter alone says at places in one view: x and y in texels, and the depth to compare with.

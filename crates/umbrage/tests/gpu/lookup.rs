@@ -30,7 +30,7 @@ fn compare_filters(filter: Filter) -> Vec<(f32, usize)> {
         (Storage::Atlas, DepthFormat::U16),
     ] {
         let settings = Settings { filter, storage, depth, splits: 3, resolution: 256, ..Settings::default() };
-        let drawn = draw(device(wgpu::Backends::VULKAN), settings, &eye(), LIGHT, &world());
+        let drawn = draw(device(wgpu::Backends::VULKAN), settings, &eye(), &[LIGHT], &world());
         let maps = drawn.maps();
         let lookup = drawn.lookup(&maps);
         for view in drawn.plan.views() {
@@ -99,7 +99,7 @@ fn whole_lookups_agree_but_where_rounding_decides_a_comparison() {
                 ..Settings::default()
             };
             let (world, camera) = (world(), eye());
-            let drawn = draw(device(wgpu::Backends::VULKAN), settings, &camera, LIGHT, &world);
+            let drawn = draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world);
             let queries = queries(&world, &camera, 400);
             let maps = drawn.maps();
             let lookup = drawn.lookup(&maps);
