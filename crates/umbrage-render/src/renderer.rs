@@ -10,7 +10,7 @@ use crate::casters::CasterPipelines;
 use crate::draws::{Draw, DrawLists, Materials, PartTable};
 use crate::error::RenderError;
 use crate::gpu::Gpu;
-use crate::scene_buffers::SceneBuffers;
+use crate::scene_buffers::{SceneBuffers, filled};
 use crate::shading::Shading;
 use crate::target::{Encoding, Picture, Target};
 use crate::timing::{CASTERS, FrameTimes, PassTimer, SHADE, ViewLoad};
@@ -135,8 +135,7 @@ impl<'a> Renderer<'a> {
         let lists = self.draw_lists(&plan, &frame.camera);
         self.shadows.upload(&self.gpu.queue, &plan);
         let numbers = bytemuck::cast_slice(&lists.instances);
-        let numbers =
-            crate::scene_buffers::filled(self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
+        let numbers = filled(self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
         let planned = start.elapsed();
 
         self.draw_casters(&plan, &lists, &numbers);

@@ -45,7 +45,7 @@ impl World {
 /// The world that is shown when none is asked for.
 pub const DEFAULT: &str = "mining-terrain";
 
-const THESIS: &str = "the thesis on real-time shadows, figure 5.5";
+const THESIS: &str = "Ferko 2010, figure 5.5";
 const PSSM: &str = "Zhang et al. 2006, table 1";
 
 /// All built-in worlds, small ones first.
@@ -70,8 +70,8 @@ pub const ALL: &[World] = &[
     },
     World {
         name: "brick-ground",
-        source: "a shadow-mapping tutorial project with a fighter, a helicopter and UFOs",
-        summary: "static and rotating objects over 200 m of repeated brick",
+        source: "a course report on directional shadow maps, 2021",
+        summary: "a fighter, a helicopter, UFOs and other static and rotating objects over 200 m of repeated brick",
         build: brick_ground::build,
     },
     World {
