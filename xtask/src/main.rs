@@ -1,9 +1,10 @@
-//! Repository chores: `cargo xtask results` measures every world into `docs/results.md`, `cargo xtask pictures` draws the
-//! pictures of the documents.
+//! Repository chores: `cargo xtask results` times every world into `docs/results.md`, `cargo xtask error` measures how
+//! wrong the default is into `docs/error.md`, `cargo xtask pictures` draws the pictures of the documents.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage` and reads its JSON.
 
 mod command;
+mod error;
 mod pictures;
 mod results;
 
@@ -28,6 +29,12 @@ enum Chore {
         #[arg(long, default_value_t = 21)]
         frames: u32,
     },
+    /// Measures the default against exact shadows and writes docs/error.md
+    Error {
+        /// Part of the name of the adapter to draw on
+        #[arg(long)]
+        adapter: Option<String>,
+    },
     /// Draws the pictures of the documents
     Pictures,
 }
@@ -35,6 +42,7 @@ enum Chore {
 fn main() -> anyhow::Result<()> {
     match Cli::parse().chore {
         Chore::Results { adapter, frames } => results::write(adapter.as_deref(), frames),
+        Chore::Error { adapter } => error::write(adapter.as_deref()),
         Chore::Pictures => pictures::draw(),
     }
 }

@@ -36,7 +36,7 @@ pub fn write(adapter: Option<&str>, frames: u32) -> anyhow::Result<()> {
     };
     let worlds = WORLDS.iter().map(|world| bench(world, &[])).collect::<anyhow::Result<Vec<_>>>()?;
     let large = [
-        ("`select = \"depth\"`", bench(LARGE, &[])?),
+        ("`select = \"depth\"`", bench(LARGE, &["select=depth"])?),
         ("`select = \"map\"`", bench(LARGE, &["select=map"])?),
     ];
     let text = page(&worlds, &large, &commit).context("a key is missing in the output of `umbrage bench`")?;

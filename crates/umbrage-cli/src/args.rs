@@ -22,8 +22,12 @@ pub enum Command {
     Render(RenderArgs),
     /// Prints where a camera's depth is cut, and the views it makes; needs no GPU
     Plan(PlanArgs),
+    /// Measures how wrong shadows are, against exact ones, and what they cost
+    Measure(MeasureArgs),
     /// Times frames along the world's path
     Bench(BenchArgs),
+    /// Runs an experiment, and writes its page, its figures as JSON and CSV, and every single result
+    Report(ReportArgs),
     /// Lists the built-in worlds, or writes one as a .glb
     Worlds(WorldsArgs),
     /// Lists the graphics adapters here, the preferred one first
@@ -75,6 +79,85 @@ pub struct PlanArgs {
     /// Write JSON to a file, or to stdout as `-`
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct MeasureArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+    /// What visibility between lit and shadowed is compared with; mis-shadowed pixels are always counted by the hard truth
+    #[arg(long, value_enum, default_value_t = TruthArg::Hard)]
+    pub truth: TruthArg,
+    /// Points of the sun that soft truth is the mean of
+    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(8..=65_536))]
+    pub sun_points: u32,
+    /// The angle that the sun is seen under, for soft truth, degrees
+    #[arg(long, value_name = "DEG", default_value_t = 0.53, value_parser = parse_sun_angle)]
+    pub sun_angle: f64,
+    /// Measure from so many cameras, moved a little, and give the mean of each figure and its 95 % interval
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub repeats: u32,
+    /// Frames that are timed
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=100_000))]
+    pub frames: u32,
+    /// Measure also how unsteady shadows are, along a path from the camera
+    #[arg(long, value_enum)]
+    pub motion: Option<MotionArg>,
+    /// Where a picture of what is wrong goes: orange where falsely shadowed, blue where falsely lit
+    #[arg(long, value_name = "FILE.png")]
+    pub heat_map: Option<PathBuf>,
+    /// Where the picture with exact shadows goes
+    #[arg(long, value_name = "FILE.png")]
+    pub true_picture: Option<PathBuf>,
+    /// Write JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+}
+
+/// What visibility is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum TruthArg {
+    /// One ray through each pixel's centre
+    Hard,
+    /// The mean over 8 x 8 points of each pixel
+    SubPixel,
+    /// The mean over points of the sun's disc
+    Soft,
+}
+
+/// A path that flicker is measured along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum MotionArg {
+    /// Sideways, 0.05 m a frame
+    Translate,
+    /// Turning, 0.25° a frame
+    Yaw,
+    /// Forward and turning, as on foot
+    Walk,
+    /// Forward, 1 m a frame
+    Fast,
+    /// The sun moves by 0.02° a frame
+    Sun,
+    /// Things move
+    Objects,
+    /// Sideways, a sixteenth of a texel a frame
+    SubTexel,
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// The experiment
+    #[arg(value_name = "EXPERIMENT.toml")]
+    pub experiment: PathBuf,
+    /// The folder that the page goes to, and every result; results that are there are not made again
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
 }
 
 #[derive(Debug, Args)]
@@ -154,9 +237,9 @@ pub struct WorldArgs {
     /// The way sunlight travels
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, allow_hyphen_values = true)]
     pub sun: Option<Vec3>,
-    /// Size of the picture, pixels
-    #[arg(long, value_name = "WxH", value_parser = parse_size, default_value = "1280x720")]
-    pub size: (u32, u32),
+    /// Size of the picture, pixels; 1280x720, or 640x360 to measure
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<(u32, u32)>,
     /// When, for things that move, seconds
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
     pub time: f32,
@@ -193,6 +276,11 @@ fn parse_vec3(text: &str) -> Result<Vec3, String> {
         [x, y, z] if text.split(',').count() == 3 => Ok(Vec3::new(x, y, z)),
         _ => Err("wanted three numbers, as 1.5,2,-3".to_owned()),
     }
+}
+
+fn parse_sun_angle(text: &str) -> Result<f64, String> {
+    let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
+    angle.ok_or_else(|| "wanted degrees, from 0 to 90".to_owned())
 }
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {

@@ -3,9 +3,11 @@
 mod adapters;
 mod bench;
 mod demo;
+mod measure;
 mod plan;
 mod presets;
 mod render;
+mod report;
 mod worlds;
 
 use crate::args::Command;
@@ -17,6 +19,8 @@ pub fn run(command: Command) -> Outcome {
         Command::Demo(args) => demo::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Plan(args) => plan::run(&args),
+        Command::Measure(args) => measure::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::Worlds(args) => worlds::run(&args),
         Command::Adapters => adapters::run(),

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use umbrage_lab::LabError;
 use umbrage_render::RenderError;
 
 /// A failed command.
@@ -28,12 +29,15 @@ impl Failure {
         match self {
             Self::Words(_) => ExitCode::from(2),
             // A frame that cannot be planned was asked for by flags that passed one by one.
-            Self::Work(error) if matches!(error.downcast_ref(), Some(RenderError::Plan(_))) => {
-                ExitCode::from(2)
-            }
+            Self::Work(error) if is_of_plan(error) => ExitCode::from(2),
             Self::Work(_) => ExitCode::from(1),
         }
     }
+}
+
+fn is_of_plan(error: &anyhow::Error) -> bool {
+    matches!(error.downcast_ref(), Some(RenderError::Plan(_)))
+        || matches!(error.downcast_ref(), Some(LabError::Render(RenderError::Plan(_))))
 }
 
 impl<E: Into<anyhow::Error>> From<E> for Failure {

@@ -9,6 +9,7 @@ use crate::bounds::Aabb;
 use crate::convex::ConvexBody;
 use crate::few::Few;
 use crate::fit::LightSpace;
+use crate::fit::outline::convex_hull;
 use crate::frustum::{Plane, PlaneF64};
 
 /// A clipped slice has at most 12 faces and 20 corners.
@@ -111,36 +112,20 @@ impl ConvexVolume {
     }
 }
 
-/// The convex hull of points, counter-clockwise (Andrew's monotone chain, 1979).
+/// The convex hull of points, counter-clockwise; points closer than `same` are one.
 fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> Few<DVec2, MAX_OUTLINE> {
-    let mut sorted = [DVec2::ZERO; MAX_OUTLINE];
+    let mut apart = [DVec2::ZERO; MAX_OUTLINE];
     let mut count = 0;
     for point in points {
-        if count < MAX_OUTLINE && sorted[..count].iter().all(|p| p.distance_squared(point) > same * same) {
-            sorted[count] = point;
+        if count < MAX_OUTLINE && apart[..count].iter().all(|p| p.distance_squared(point) > same * same) {
+            apart[count] = point;
             count += 1;
         }
     }
-    let sorted = &mut sorted[..count];
-    sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let mut hull = [DVec2::ZERO; 2 * MAX_OUTLINE];
-    let mut len = 0;
-    let chain = |hull: &mut [DVec2; 2 * MAX_OUTLINE], len: &mut usize, base: usize, point: DVec2| {
-        while *len >= base + 2 && (hull[*len - 1] - hull[*len - 2]).perp_dot(point - hull[*len - 2]) <= 0.0 {
-            *len -= 1;
-        }
-        hull[*len] = point;
-        *len += 1;
-    };
-    for &point in sorted.iter() {
-        chain(&mut hull, &mut len, 0, point);
-    }
-    let base = len.saturating_sub(1);
-    for &point in sorted.iter().rev().skip(1) {
-        chain(&mut hull, &mut len, base, point);
-    }
+    let len = convex_hull(&mut apart[..count], &mut hull);
     let mut ring = Few::default();
-    for &point in &hull[..len.saturating_sub(1)] {
+    for &point in &hull[..len] {
         let _full = !ring.push(point);
     }
     ring

@@ -3,20 +3,25 @@
 //! Space: light space has the world's origin and scale; x is right, y is up on the map, z grows along the light's travel.
 //! Sums are in f64: a world of kilometres in texels of centimetres needs more than f32 holds.
 
+pub(crate) mod outline;
 mod scene;
 mod stable;
+mod turn;
 mod view;
+mod within;
 
 use std::ops::Range;
 
 use glam::{DVec2, DVec3, Mat4};
 
-use crate::bias::{largest_bias, reach_texels};
+use crate::bias::{largest_bias, plane_reach_texels, reach_texels};
 use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::convex::ConvexBody;
 use crate::cull::ConvexVolume;
 use crate::settings::{Fit, Select, Settings};
+
+pub(crate) use outline::Outline;
 
 /// The axes of a directional light, unit and perpendicular, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +42,12 @@ impl LightSpace {
         let up = [up, DVec3::Y].into_iter().find(usable).unwrap_or(DVec3::Z);
         let right = along.cross(up).normalize_or(along.any_orthonormal_vector());
         Self { right, up: right.cross(along), along }
+    }
+
+    /// The same turned about the light, so that what was `side`, a unit vector on the map, is right.
+    pub(crate) fn turned(&self, side: DVec2) -> Self {
+        let Self { right, up, along } = *self;
+        Self { right: right * side.x + up * side.y, up: up * side.x - right * side.y, along }
     }
 
     /// A point of the world in light space.
@@ -81,8 +92,8 @@ pub(crate) struct Slice<'a> {
 /// Boxes are at least this large, so that no matrix is singular, metres.
 const LEAST_SIZE: f64 = 1e-3;
 
-/// Fits a box to a slice, as the settings say.
-pub(crate) fn fit(slice: &Slice<'_>) -> Fitted {
+/// Fits a box to a slice, as the settings say. `outline` is room to work in.
+pub(crate) fn fit(slice: &Slice<'_>, outline: &mut Outline) -> Fitted {
     let corners = slice.camera.slice_corners(slice.depths.clone());
     let world = slice.bounds.world;
     let receivers = if world.is_empty() {
@@ -97,7 +108,7 @@ pub(crate) fn fit(slice: &Slice<'_>) -> Fitted {
         )
     };
     match slice.settings.fit {
-        Fit::Scene => scene::fit(slice, &receivers),
+        Fit::Scene => scene::fit(slice, &receivers, outline),
         Fit::View => view::fit(slice, &receivers),
         Fit::Stable => stable::fit(slice, &receivers),
     }
@@ -149,7 +160,9 @@ impl Slice<'_> {
             // Receivers of other slices look here too, wherever the map covers them.
             Select::Map => ConvexVolume::over_rectangle(min, max, far, &light),
             Select::Depth | Select::ClipDepth => {
-                let reach = reach_texels(&self.settings.bias, self.settings.filter) * texel;
+                let Settings { bias, filter, .. } = self.settings;
+                // Beside a receiver, whatever lies before its plane may shadow it, however deep that is there.
+                let reach = (reach_texels(bias, *filter) + plane_reach_texels(bias, *filter)) * texel;
                 ConvexVolume::swept_to_light(receivers, &light, reach)
             }
         };

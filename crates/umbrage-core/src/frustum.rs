@@ -30,7 +30,7 @@ impl Plane {
 }
 
 /// The same in f64, for the planner's own sums.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PlaneF64 {
     pub normal: DVec3,
     pub distance: f64,

@@ -6,7 +6,7 @@ use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
 use crate::error::PlanError;
 use crate::few::Few;
-use crate::fit::{Fitted, Slice, fit};
+use crate::fit::{Fitted, Outline, Slice, fit};
 use crate::light::Light;
 use crate::settings::{MAX_LIGHTS, MAX_SPLITS, Settings};
 use crate::split::split_distances;
@@ -20,6 +20,8 @@ pub struct ShadowPlan {
     splits: Few<f64, { MAX_SPLITS + 1 }>,
     layout: MapLayout,
     camera: Camera,
+    /// Room to fit in.
+    outline: Outline,
 }
 
 /// Plans a frame. The views come light by light, and in a light split by split.
@@ -36,8 +38,14 @@ pub fn plan(
     settings: &Settings,
 ) -> Result<ShadowPlan, PlanError> {
     let layout = MapLayout::new(settings, 1);
-    let mut plan =
-        ShadowPlan { views: Vec::new(), lights: Vec::new(), splits: Few::default(), layout, camera: *camera };
+    let mut plan = ShadowPlan {
+        views: Vec::new(),
+        lights: Vec::new(),
+        splits: Few::default(),
+        layout,
+        camera: *camera,
+        outline: Outline::default(),
+    };
     plan.replan(camera, lights, bounds, settings)?;
     Ok(plan)
 }
@@ -85,7 +93,7 @@ impl ShadowPlan {
                     bounds,
                     settings,
                 };
-                let Fitted { light, min, max, casters, unclipped_depth } = fit(&slice);
+                let Fitted { light, min, max, casters, unclipped_depth } = fit(&slice, &mut self.outline);
                 let index = self.views.len();
                 let size = max - min;
                 self.views.push(ShadowView {

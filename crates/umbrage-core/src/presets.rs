@@ -1,9 +1,9 @@
 //! Named settings: what the sources measured, as data.
 //!
-//! The sources' polygon offsets and biases were tuned to their machines' depth formats, so every preset keeps the
-//! default bias: what differs between two presets is what their source compared.
+//! The sources' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have the same
+//! bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
 
-use crate::settings::{Filter, Fit, Settings};
+use crate::settings::{Bias, Filter, Fit, Select, Settings};
 
 /// Settings with a name and a source.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ impl Preset {
 pub const PRESETS: &[Preset] = &[
     Preset {
         name: "default",
-        source: "this project: four splits of 1024², scene fit, bilinear",
+        source: "this project: four splits of 1024², the least error over its worlds",
         settings: Settings::default,
     },
     Preset {
@@ -74,24 +74,20 @@ pub const PRESETS: &[Preset] = &[
 
 /// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel.
 fn ferko(splits: u32, resolution: u32) -> Settings {
-    Settings {
-        splits,
-        resolution,
-        lambda: 0.5,
-        fit: Fit::Scene,
-        filter: Filter::Hard {},
-        ..Settings::default()
-    }
+    Settings { splits, resolution, lambda: 0.5, fit: Fit::Scene, ..source() }
 }
 
 /// The paper: practical splits (eq. 6), boxes around the slices, one comparison a pixel.
 fn zhang(splits: u32, resolution: u32) -> Settings {
+    Settings { splits, resolution, lambda: 0.5, fit: Fit::View, ..source() }
+}
+
+/// What every source has: a view by depth, one comparison a pixel, and an offset along the normal.
+fn source() -> Settings {
     Settings {
-        splits,
-        resolution,
-        lambda: 0.5,
-        fit: Fit::View,
+        select: Select::Depth,
         filter: Filter::Hard {},
+        bias: Bias { normal: 1.0, receiver_plane: false, ..Bias::default() },
         ..Settings::default()
     }
 }

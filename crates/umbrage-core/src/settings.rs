@@ -157,8 +157,12 @@ pub struct Bias {
     pub slope: f32,
     /// The largest tangent that `slope` is multiplied with; 2 in opengl-tutorial 16 (0.01 / 0.005).
     pub slope_limit: f32,
-    /// Along the receiver's normal at lookup; 1 is the least that is exact for the filter's kernel.
+    /// Along the receiver's normal at lookup; without `receiver_plane`, 1 is the least that is exact for the filter's
+    /// kernel on a flat receiver.
     pub normal: f32,
+    /// Whether each texel is compared with the depth that the receiver's own plane has at the texel's centre, instead of
+    /// the receiver's depth. A flat receiver then needs next to no other bias.
+    pub receiver_plane: bool,
     /// Which faces of casters are drawn.
     pub casters: CasterFaces,
 }
@@ -206,7 +210,7 @@ impl Default for Settings {
         Self {
             splits: 4, // each more buys less: storage factor 1543, 231, 92, 53 for 2, 3, 4, 5 at f/n = 800
             scheme: Scheme::Practical,
-            lambda: 0.5, // the best compromise of Ferko 2010 §3.1, and Zhang's eq. 6
+            lambda: 0.8, // the least error over all built-in worlds, docs/decisions/0007; the sources take 0.5
             split_bias: 0.0,
             manual: Vec::new(),
             distance: None,
@@ -216,7 +220,7 @@ impl Default for Settings {
             storage: Storage::Array,
             fit: Fit::Scene,
             unclipped_depth: true,
-            select: Select::Depth,
+            select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
             filter: Filter::Bilinear {},
             bias: Bias::default(),
             shade: Shade::Absence { darkness: 1.0 },
@@ -232,7 +236,8 @@ impl Default for Bias {
             constant: 0.002, // rounding of depth over a few kilometres in 32 bits
             slope: 0.0,
             slope_limit: 2.0,
-            normal: 1.0, // exact for a flat receiver
+            normal: 0.25, // bends between triangles, docs/decisions/0007; 1 is exact for a flat receiver without its plane
+            receiver_plane: true,
             casters: CasterFaces::Both,
         }
     }
@@ -247,6 +252,7 @@ impl Bias {
         slope: 0.0,
         slope_limit: 2.0,
         normal: 0.0,
+        receiver_plane: false,
         casters: CasterFaces::Both,
     };
 }
@@ -316,7 +322,16 @@ impl Settings {
 
 impl Bias {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { raster_constant, raster_slope, constant, slope, slope_limit, normal, casters: _ } = self;
+        let Self {
+            raster_constant,
+            raster_slope,
+            constant,
+            slope,
+            slope_limit,
+            normal,
+            receiver_plane: _,
+            casters: _,
+        } = self;
         let texels = "from 0 to 100";
         check(
             "bias.raster_constant",

@@ -4,8 +4,8 @@ struct Scene {
     clip_from_world: mat4x4f,
     world_from_clip: mat4x4f,
     eye: vec3f,
-    /// 1 where the sun casts shadows, 0 where not.
-    shadows: f32,
+    /// How much sunlight reaches everything, where that is known; negative where the shadow maps say.
+    known_visibility: f32,
     /// Unit, in world space.
     direction_to_sun: vec3f,
     /// 1 where splits are tinted, 0 where not.
@@ -61,8 +61,8 @@ fn geometric_normal(from_eye: vec3f) -> vec3f {
 
 /// How much sunlight reaches a fragment.
 fn visibility_at(receiver: Receiver, normal: vec3f) -> f32 {
-    if scene.shadows == 0.0 {
-        return 1.0;
+    if scene.known_visibility >= 0.0 {
+        return scene.known_visibility;
     }
     return umbrage_visibility(scene.eye + receiver.from_eye, normal, receiver.clip.xy);
 }

@@ -43,6 +43,8 @@ pub enum Show {
     World,
     /// The world without shadows, and without drawing any.
     Unshadowed,
+    /// The world as if the sun reached nothing, and without drawing any shadows.
+    Shadowed,
     /// The world with its shadows, and the splits tinted.
     Splits,
     /// How much sunlight reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
@@ -130,7 +132,10 @@ impl<'a> Renderer<'a> {
             self.buffers.place(self.gpu, self.scene, frame.seconds);
             self.seconds = frame.seconds;
         }
-        let lights = if frame.show == Show::Unshadowed { &[][..] } else { std::slice::from_ref(&frame.sun) };
+        let lights = match frame.show {
+            Show::Unshadowed | Show::Shadowed => &[][..],
+            Show::World | Show::Splits | Show::Visibility => std::slice::from_ref(&frame.sun),
+        };
         let plan = self.shadows.plan(&frame.camera, lights, &self.parts.bounds())?;
         let lists = self.draw_lists(&plan, &frame.camera);
         self.shadows.upload(&self.gpu.queue, &plan);
@@ -184,7 +189,7 @@ impl<'a> Renderer<'a> {
     fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
         let (encoding, samples) = match frame.show {
             Show::Visibility => (Encoding::Linear, 1),
-            Show::World | Show::Unshadowed | Show::Splits => {
+            Show::World | Show::Unshadowed | Show::Shadowed | Show::Splits => {
                 (Encoding::Srgb, if frame.samples > 1 { 4 } else { 1 })
             }
         };

@@ -16,7 +16,7 @@ struct SceneUniform {
     clip_from_world: Mat4,
     world_from_clip: Mat4,
     eye: Vec3,
-    shadows: f32,
+    known_visibility: f32,
     direction_to_sun: Vec3,
     tint: f32,
     sun: Vec3,
@@ -35,6 +35,9 @@ pub(crate) struct Shading {
 
 /// The light of the sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
 const SUN_LIGHT: f32 = 2.6;
+
+/// For `known_visibility`, where it is not known.
+const ASK_THE_MAPS: f32 = -1.0;
 
 impl Shading {
     pub fn new(
@@ -122,7 +125,11 @@ impl Shading {
             clip_from_world,
             world_from_clip: clip_from_world.inverse(),
             eye: camera.eye(),
-            shadows: f32::from(u8::from(show != Show::Unshadowed)),
+            known_visibility: match show {
+                Show::Unshadowed => 1.0,
+                Show::Shadowed => 0.0,
+                Show::World | Show::Splits | Show::Visibility => ASK_THE_MAPS,
+            },
             direction_to_sun: sun.direction_to_light(),
             tint: f32::from(u8::from(show == Show::Splits)),
             sun: colour * SUN_LIGHT,

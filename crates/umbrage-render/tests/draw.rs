@@ -143,7 +143,9 @@ fn pictures_show_shadow_sky_and_splits_where_they_should() {
         let (world, plain, splits) = (&world[i..i + 3], &plain[i..i + 3], &splits[i..i + 3]);
         match visibility[i] {
             255 => {
-                assert_eq!(world, plain, "pixel {}: lit pixels are as without shadows", i / 4);
+                // 255 is all visibility above 0.998, and a filter's weights add up to 1 within rounding: a level at most.
+                let levels = world.iter().zip(plain).map(|(a, b)| a.abs_diff(*b)).max();
+                assert!(levels <= Some(1), "pixel {}: lit pixels are as without shadows", i / 4);
                 lit += 1;
             }
             0 if world != plain => {

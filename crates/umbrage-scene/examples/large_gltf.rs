@@ -1,10 +1,8 @@
 //! Writes a large .glb of the kind that level editors export: 1.5 million triangles in 300 nodes, one mesh of them with
 //! 280 thousand. `cargo run --release -p umbrage-scene --example large_gltf -- large.glb`
 
-use std::path::Path;
-
 use glam::{Mat4, Vec2, Vec3};
-use umbrage_scene::{Camera, Instance, Light, Material, Mesh, Primitive, Scene, save_glb};
+use umbrage_scene::{Camera, Instance, Light, Material, Mesh, Primitive, Scene, to_glb};
 
 /// Side of the square town, metres.
 const SIDE: f32 = 1000.0;
@@ -12,7 +10,7 @@ const SIDE: f32 = 1000.0;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = std::env::args().nth(1).ok_or("where to? give a path, as large.glb")?;
     let scene = town();
-    save_glb(&scene, Path::new(&path))?;
+    std::fs::write(&path, to_glb(&scene)?)?;
     println!("{} triangles in {} nodes: {path}", scene.triangles(), scene.instances.len());
     Ok(())
 }

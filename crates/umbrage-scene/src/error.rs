@@ -39,23 +39,11 @@ pub enum SceneError {
         /// The scene's name.
         scene: String,
     },
-    /// The operating system would not take the file.
-    #[error("cannot write the file, {reason}: {path}")]
-    Write {
-        /// What the operating system says.
-        reason: String,
-        /// Which file.
-        path: String,
-    },
 }
 
 impl SceneError {
     pub(crate) fn read(reason: impl Display, path: &Path) -> Self {
         Self::Read { reason: one_line(reason), path: one_line(path.display()) }
-    }
-
-    pub(crate) fn write(reason: impl Display, path: &Path) -> Self {
-        Self::Write { reason: one_line(reason), path: one_line(path.display()) }
     }
 }
 

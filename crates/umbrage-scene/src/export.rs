@@ -9,8 +9,6 @@ mod bytes;
 mod pieces;
 
 use std::borrow::Cow;
-use std::fs;
-use std::path::Path;
 
 use glam::Mat4;
 use gltf::binary::{Glb, Header};
@@ -28,26 +26,6 @@ use crate::{Scene, extras};
 /// would be larger than its format allows, 4 GiB.
 pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
     write(scene).map_err(|fault| fault.in_scene(&scene.name))
-}
-
-/// Writes the scene to a `.glb` file. It first has another name beside its own, so that a file that is there is whole.
-///
-/// # Errors
-///
-/// As [`to_glb`], and when the file cannot be written.
-pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SceneError> {
-    let bytes = to_glb(scene)?;
-    let Some(name) = path.file_name() else {
-        return Err(SceneError::write("it has no name", path));
-    };
-    let mut unfinished = name.to_owned();
-    unfinished.push(format!(".{}.part", std::process::id()));
-    let unfinished = path.with_file_name(unfinished);
-    fs::write(&unfinished, bytes).and_then(|()| fs::rename(&unfinished, path)).map_err(|why| {
-        // It may not be there; the reason to tell is the first.
-        let _ = fs::remove_file(&unfinished);
-        SceneError::write(why, path)
-    })
 }
 
 fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {

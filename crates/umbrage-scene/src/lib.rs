@@ -2,7 +2,7 @@
 //!
 //! A [`Scene`] is plain data: meshes cut into parts, instances that place them, materials, cameras, lights, and a
 //! camera path. It comes from a file ([`load`]: `.glb`, `.gltf`, `.obj`), or is one of the built-in [`worlds`], and can
-//! be written back as a `.glb` ([`to_glb`], [`save_glb`]).
+//! be written back as a `.glb` ([`to_glb`]).
 //!
 //! World space is right-handed, in metres, with Y up. Matrices are named `target_from_source`.
 //!
@@ -26,7 +26,7 @@ pub mod worlds;
 pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
 pub use error::SceneError;
-pub use export::{save_glb, to_glb};
+pub use export::to_glb;
 pub use import::{Imported, load, load_glb_bytes, load_obj_bytes};
 pub use light::{Light, LightKind};
 pub use material::{Material, Texture};

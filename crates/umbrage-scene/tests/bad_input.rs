@@ -111,7 +111,8 @@ const SPOILED: &[(&str, &str, Spoil)] = &[
         d.rest = r#", "scenes": [{"nodes": [1]}]"#.to_owned();
     }),
     ("a scene with a node twice", "twice", |d| d.rest = r#", "scenes": [{"nodes": [0, 0]}]"#.to_owned()),
-    ("a matrix that is infinite", "not finite", |d| {
+    // Which of the two it is depends on how the JSON reader was asked to read numbers.
+    ("a matrix that is infinite", "not finite|out of range", |d| {
         d.nodes = r#"{"mesh": 0, "translation": [1e39, 0, 0]}"#.to_owned();
     }),
     ("matrices that overflow together", "not finite", |d| {
@@ -190,7 +191,7 @@ fn documents_that_lie_are_answered_with_one_line_that_tells_the_lie() {
             Ok(_) => panic!("{what} was believed"),
             Err(error) => error.to_string(),
         };
-        assert!(error.contains(says), "{what}: {error}");
+        assert!(says.split('|').any(|says| error.contains(says)), "{what}: {error}");
         assert!(error.ends_with(": doc.glb") && !error.contains('\n'), "{what}: {error}");
     }
 }

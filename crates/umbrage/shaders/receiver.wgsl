@@ -1,7 +1,7 @@
 // What a receiver's fragment shader needs: how much of a light reaches a point, 1 for all and 0 for none.
 //
-// `umbrage_select` comes from a file of `select/`, `umbrage_filter` from one of `filter/`, `umbrage_shade` from one of
-// `shade/`.
+// `umbrage_select` comes from a file of `select/`, `umbrage_gradient` from one of `reference/`, `umbrage_filter` from one
+// of `filter/`, `umbrage_shade` from one of `shade/`.
 
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
 @group(0) @binding(2) var umbrage_compare: sampler_comparison;
@@ -17,6 +17,8 @@ struct UmbrageLookup {
     depth: f32,
     /// Depth to compare with: lit where it is not greater than the stored one.
     reference: f32,
+    /// How much the depth to compare with grows from a texel to the next, to the right and downward.
+    gradient: vec2f,
 }
 
 /// View depth of a point, metres from the eye.
@@ -40,6 +42,7 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     lookup.texel = (ndc.xy * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.depth = ndc.z;
     lookup.reference = ndc.z - toward_light / umbrage_frame.views[view_index].depth_metres - umbrage_frame.depth_step;
+    lookup.gradient = umbrage_gradient(view_index, world_normal, cosine);
     return lookup;
 }
 
@@ -48,6 +51,18 @@ fn umbrage_uv(view_index: u32, texel: vec2f) -> vec2f {
     let tile_size = umbrage_frame.views[view_index].tile_size;
     let inside = clamp(texel, vec2f(0.5), vec2f(tile_size - 0.5));
     return (umbrage_frame.views[view_index].tile_origin + inside) / umbrage_frame.map_size;
+}
+
+/// Whether the texel around `centre` leaves a receiver at `texel` lit: 1 or 0. `reference` is the depth to compare with
+/// at `texel`, and nothing that is stored lies beyond 1.
+fn umbrage_lit(view_index: u32, centre: vec2f, texel: vec2f, reference: f32, gradient: vec2f) -> f32 {
+    let tile_size = umbrage_frame.views[view_index].tile_size;
+    let inside = clamp(centre, vec2f(0.5), vec2f(tile_size - 0.5));
+    let reference_there = min(reference + dot(gradient, inside - texel), 1.0);
+    // The texel's centre: samplers round coordinates to fewer bits than f32 has. Not a load, which GL has not for depth.
+    let uv = umbrage_uv(view_index, inside);
+    let layer = umbrage_frame.views[view_index].layer;
+    return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, layer, reference_there);
 }
 
 /// Index of the view that serves a receiver, or UMBRAGE_NO_VIEW.
@@ -76,7 +91,7 @@ fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec
     if outside {
         return 1.0;
     }
-    return umbrage_filter(view_index, lookup.texel, lookup.reference, pixel);
+    return umbrage_filter(view_index, lookup.texel, lookup.reference, lookup.gradient, pixel);
 }
 
 /// How much of the first light reaches a world-space point.

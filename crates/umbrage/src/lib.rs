@@ -34,7 +34,7 @@ mod wgsl;
 pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
 pub use error::ShadowError;
-pub use lookup::Lookup;
+pub use lookup::{Lookup, view_of};
 pub use maps::MapTexels;
 pub use shadows::Shadows;
 pub use umbrage_core::*;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use umbrage_core::{Filter, Select, Settings, Shade, kernel_half_width_texels};
+use umbrage_core::{Bias, Filter, Select, Settings, Shade, kernel_half_width_texels};
 
 const FRAME: &str = include_str!("../shaders/frame.wgsl");
 const CASTER: &str = include_str!("../shaders/caster.wgsl");
@@ -16,15 +16,24 @@ pub fn caster_wgsl() -> String {
 
 /// WGSL for a receiver's fragment shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
 /// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`. Its bindings are group
-/// `group` of the pipeline. The text depends on `select`, `filter` and `shade` of the settings.
+/// `group` of the pipeline. The text depends on `select`, `filter`, `bias.receiver_plane` and `shade` of the settings.
 pub fn receiver_wgsl(settings: &Settings, group: u32) -> String {
     let select = match settings.select {
         Select::Depth => include_str!("../shaders/select/depth.wgsl"),
         Select::ClipDepth => include_str!("../shaders/select/clip_depth.wgsl"),
         Select::Map => include_str!("../shaders/select/map.wgsl"),
     };
+    let receiver_plane = settings.bias.receiver_plane;
+    let reference = if receiver_plane {
+        include_str!("../shaders/reference/plane.wgsl")
+    } else {
+        include_str!("../shaders/reference/point.wgsl")
+    };
     let filter = match settings.filter {
         Filter::Hard {} => include_str!("../shaders/filter/hard.wgsl"),
+        Filter::Bilinear {} | Filter::Pcf { .. } if receiver_plane => {
+            include_str!("../shaders/filter/plane.wgsl")
+        }
         Filter::Bilinear {} => include_str!("../shaders/filter/bilinear.wgsl"),
         Filter::Pcf { .. } => include_str!("../shaders/filter/pcf.wgsl"),
     };
@@ -32,7 +41,7 @@ pub fn receiver_wgsl(settings: &Settings, group: u32) -> String {
         Shade::Absence { .. } => include_str!("../shaders/shade/absence.wgsl"),
         Shade::Colour { .. } => include_str!("../shaders/shade/colour.wgsl"),
     };
-    [FRAME, &constants(settings), RECEIVER, select, filter, shade]
+    [FRAME, &constants(settings), RECEIVER, select, reference, filter, shade]
         .join("\n")
         .replace("@group(0)", &format!("@group({group})"))
 }
@@ -40,9 +49,17 @@ pub fn receiver_wgsl(settings: &Settings, group: u32) -> String {
 /// The numbers that a pipeline fixes.
 fn constants(settings: &Settings) -> String {
     let half_width = kernel_half_width_texels(settings.filter);
+    // Writing to a string cannot fail.
     let mut text = format!("const UMBRAGE_KERNEL_HALF_WIDTH: f32 = {half_width:?};\n");
-    if let Filter::Pcf { size } = settings.filter {
-        // Writing to a string cannot fail.
+    if settings.bias.receiver_plane {
+        let _ = writeln!(text, "const UMBRAGE_STEEPEST_PLANE: f32 = {:?};", Bias::STEEPEST_PLANE);
+    }
+    let pcf_size = match settings.filter {
+        Filter::Hard {} => None,
+        Filter::Bilinear {} => Some(1),
+        Filter::Pcf { size } => Some(size),
+    };
+    if let Some(size) = pcf_size {
         let _ = writeln!(text, "const UMBRAGE_PCF_SIZE: i32 = {size};");
     }
     text
@@ -72,8 +89,11 @@ mod tests {
                     Shade::Absence { darkness: 1.0 },
                     Shade::Colour { shadow_colour: [0.0, 0.0, 0.0, 0.5], darkness: 1.0 },
                 ] {
-                    let settings = Settings { filter, select, shade, ..Settings::default() };
-                    validate(&format!("{settings:?}"), &receiver_wgsl(&settings, 3));
+                    for receiver_plane in [false, true] {
+                        let bias = Bias { receiver_plane, ..Bias::default() };
+                        let settings = Settings { filter, select, shade, bias, ..Settings::default() };
+                        validate(&format!("{settings:?}"), &receiver_wgsl(&settings, 3));
+                    }
                 }
             }
         }

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 use umbrage::{Camera, Settings};
-use umbrage_render::{Frame, FrameTimes, Gpu, Renderer, Show, ViewLoad};
+use umbrage_judge::statistics::Spread;
+use umbrage_lab::Milliseconds;
+use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
 use crate::args::BenchArgs;
@@ -38,14 +40,6 @@ struct Report<'a> {
 }
 
 #[derive(Serialize)]
-struct Milliseconds {
-    plan: Spread,
-    casters: Spread,
-    shade: Spread,
-    frame: Spread,
-}
-
-#[derive(Serialize)]
 struct Baselines {
     no_shadows: Milliseconds,
     no_culling: Milliseconds,
@@ -56,14 +50,6 @@ struct View {
     split: usize,
     draws: usize,
     triangles: u64,
-}
-
-/// The middle of some numbers, and where all but the outer twentieths of them lie.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Spread {
-    pub median: f64,
-    pub p5: f64,
-    pub p95: f64,
 }
 
 pub fn run(args: &BenchArgs) -> Outcome {
@@ -109,10 +95,10 @@ pub fn run(args: &BenchArgs) -> Outcome {
         texels: layout.texels(),
         bytes: layout.bytes(),
         frames: samples.len(),
-        milliseconds: milliseconds(&samples),
+        milliseconds: Milliseconds::of(&samples),
         baselines: args.baselines.then(|| Baselines {
-            no_shadows: milliseconds(&no_shadows),
-            no_culling: milliseconds(&no_culling),
+            no_shadows: Milliseconds::of(&no_shadows),
+            no_culling: Milliseconds::of(&no_culling),
         }),
         views: loads.into_iter().map(view).collect(),
         every_frame: samples.iter().map(|t| [t.plan, t.casters, t.shade, t.frame]).collect(),
@@ -139,26 +125,6 @@ fn along_path(frame: &Frame, scene: &Scene, args: &BenchArgs, share: f32) -> Out
 fn view(load: ViewLoad) -> View {
     let ViewLoad { split, draws, triangles } = load;
     View { split, draws, triangles }
-}
-
-fn milliseconds(samples: &[FrameTimes]) -> Milliseconds {
-    let of = |pick: fn(&FrameTimes) -> f64| spread(samples.iter().map(pick).collect());
-    Milliseconds {
-        plan: of(|t| t.plan),
-        casters: of(|t| t.casters),
-        shade: of(|t| t.shade),
-        frame: of(|t| t.frame),
-    }
-}
-
-/// Median and 5th and 95th percentile, by nearest rank; zeros of nothing.
-fn spread(mut values: Vec<f64>) -> Spread {
-    values.sort_by(f64::total_cmp);
-    let rank = |share: f64| {
-        let index = (share * values.len() as f64).ceil() as usize;
-        values.get(index.saturating_sub(1)).copied().unwrap_or(0.0)
-    };
-    Spread { median: rank(0.5), p5: rank(0.05), p95: rank(0.95) }
 }
 
 fn text(report: &Report<'_>) -> String {
@@ -192,16 +158,4 @@ fn table(milliseconds: &Milliseconds) -> String {
         format!("  {name:<8} {median:9.3} ms  ({p5:.3} to {p95:.3})\n")
     };
     [("plan", plan), ("casters", casters), ("shade", shade), ("frame", frame)].into_iter().map(row).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_spread_of_one_to_a_hundred_is_5_50_95() {
-        let values = (1..=100).rev().map(f64::from).collect();
-        assert_eq!(spread(values), Spread { median: 50.0, p5: 5.0, p95: 95.0 });
-        assert_eq!(spread(vec![7.0]), Spread { median: 7.0, p5: 7.0, p95: 7.0 });
-    }
 }

@@ -1,12 +1,14 @@
-//! `umbrage demo`: the default world three ways from one camera, as one picture that explains itself.
+//! `umbrage demo`: the default world two ways from one camera, beside the truth, as one picture that explains itself.
 //!
-//! A column a technique: the picture; the same with the splits tinted; the shadow maps; what they cost.
+//! A column a technique: the picture; where it is wrong; which map serves what; the shadow maps; what they cost.
+//! The last column is exact.
 
 use anyhow::Context as _;
 use image::{DynamicImage, GrayImage, RgbaImage};
-use umbrage::{MapTexels, Preset, Settings, ShadowPlan};
-use umbrage_render::{Frame, FrameTimes, Gpu, Picture, Renderer, Show};
-use umbrage_scene::worlds;
+use umbrage::{MapTexels, Preset, ShadowPlan};
+use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
+use umbrage_render::{Frame, Gpu, Picture, Show};
+use umbrage_scene::{LightKind, Scene, worlds};
 
 use crate::args::DemoArgs;
 use crate::commands::plan::splits_text;
@@ -20,49 +22,57 @@ const WIDTH: u32 = 640;
 const HEIGHT: u32 = 360;
 /// White between pictures.
 const GAP: u32 = 16;
-/// Side of a shadow map's thumbnail: three and their gaps are as wide as a picture.
-const MAP: u32 = (WIDTH - 2 * GAP) / 3;
+/// Side of a shadow map's thumbnail: four and their gaps are as wide as a picture.
+const MAP: u32 = (WIDTH - 3 * GAP) / 4;
 /// Room for the words over and under pictures.
 const HEAD: u32 = 96;
 const LINE: u32 = 26;
-const WORDS: u32 = 5 * LINE;
+const WORDS: u32 = 7 * LINE;
 
-/// What the rows are, in the column that has no shadows to show.
-const LEGEND: [&str; 9] = [
-    "Upper row: the world as it is drawn.",
+/// How often a picture is drawn for its times.
+const RUNS: u32 = 5;
+
+/// What the rows are, in the column that has no shadow maps to show.
+const LEGEND: [&str; 16] = [
+    "Upper row: the world as it is drawn; here with exact shadows,",
+    "a ray from every pixel to the sun.",
     "",
-    "Middle row: the same, each split of the view tinted.",
-    "A split is a slice of depth with a shadow map of its own.",
+    "Second row: where shadows are wrong. Orange is shadowed and",
+    "should be lit, blue is lit and should be shadowed. What is",
+    "darkest is not judged: sky, and surfaces turned from the sun.",
+    "",
+    "Third row: tinted by the shadow map that serves each place.",
+    "Each split, a slice of depth, has a map of its own; the finest",
+    "map that covers a place serves it.",
     "",
     "Lower row: those shadow maps, seen from the sun,",
     "near dark, far pale, white where nothing casts.",
     "",
-    "Below: where the view is cut, and what it costs.",
+    "Below: where the view is cut, how wrong shadows are, and what",
+    "they cost.",
 ];
 
 /// A way to draw the world, and what came of it.
 struct Column {
-    title: &'static str,
+    title: String,
     shadowed: RgbaImage,
-    tinted: Option<RgbaImage>,
+    wrong: RgbaImage,
+    tinted: RgbaImage,
     maps: Vec<RgbaImage>,
     words: Vec<String>,
+    truth: RgbaImage,
 }
 
 pub fn run(args: &DemoArgs) -> Outcome {
     let scene = world::load(worlds::DEFAULT, 0)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
-    let frame = main_frame(&scene)?;
-    let mut renderer = Renderer::new(&gpu, &scene, Settings::default())?;
-    let ways = [
-        ("One shadow map of 1024² (zhang-ssm-1024)", Some("zhang-ssm-1024")),
-        ("Three splits of 1024² (ferko-pssm-3x1024)", Some("ferko-pssm-3x1024")),
-        ("No shadows", None),
-    ];
-    let bar = progress::bar(ways.len() as u64, "drawing");
+    let shot = main_shot(&scene)?;
+    let mut laboratory = Laboratory::new(&gpu, &scene)?;
+    let ways = [("One shadow map of 1024²", "zhang-ssm-1024"), ("Four splits of 1024²", "default")];
+    let bar = progress::bar(ways.len() as u64, "drawing and judging");
     let mut columns = Vec::new();
-    for (title, preset) in ways {
-        columns.push(column(&mut renderer, &frame, title, preset, gpu.adapter.timestamps)?);
+    for (what, preset) in ways {
+        columns.push(column(&mut laboratory, &shot, what, preset, gpu.adapter.timestamps)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -82,76 +92,65 @@ pub fn run(args: &DemoArgs) -> Outcome {
 }
 
 /// The world's first camera and its sun.
-fn main_frame(scene: &umbrage_scene::Scene) -> Outcome<Frame> {
-    let camera = umbrage_render::camera(&scene.cameras[0], WIDTH as f32 / HEIGHT as f32)?;
-    let (sun, sun_colour) = umbrage_render::sun(scene).context("the default world has a sun")?;
-    Ok(Frame {
-        camera,
-        sun,
-        sun_colour,
+fn main_shot(scene: &Scene) -> Outcome<Shot> {
+    let sun = scene.lights.iter().find(|light| light.kind == LightKind::Directional);
+    let sun = sun.context("the default world has a sun")?;
+    Ok(Shot {
+        camera: scene.cameras[0].clone(),
+        sun: sun.direction(),
+        sun_colour: sun.colour,
         seconds: 0.0,
         width: WIDTH,
         height: HEIGHT,
-        samples: 4,
-        show: Show::World,
     })
 }
 
 fn column(
-    renderer: &mut Renderer<'_>,
-    frame: &Frame,
-    title: &'static str,
-    preset: Option<&str>,
+    laboratory: &mut Laboratory<'_>,
+    shot: &Shot,
+    what: &str,
+    preset: &str,
     has_timestamps: bool,
 ) -> Outcome<Column> {
-    let clock = if has_timestamps { "device time" } else { "wall time" };
-    let Some(preset) = preset else {
-        let frame = Frame { show: Show::Unshadowed, ..*frame };
-        let times = timed(renderer, &frame)?.1;
-        let shadowed = image_of(renderer.picture()?)?;
-        let words = vec![format!("shading {:.2} ms ({clock}, median of {RUNS})", times.shade)];
-        return Ok(Column { title, shadowed, tinted: None, maps: Vec::new(), words });
-    };
-    let preset = Preset::named(preset).with_context(|| format!("there is a preset {preset}"))?;
-    renderer.set_settings((preset.settings)())?;
-    let (plan, times) = timed(renderer, frame)?;
+    let settings = (Preset::named(preset).with_context(|| format!("there is a preset {preset}"))?.settings)();
+    let judged = laboratory.judge(shot, &settings, TruthKind::Hard, RUNS)?;
+    let renderer = laboratory.renderer();
+    let smooth = |show| Ok::<_, anyhow::Error>(Frame { samples: 4, ..shot.frame(show)? });
+    renderer.render(&smooth(Show::World)?)?;
     let shadowed = image_of(renderer.picture()?)?;
-    let maps = renderer.maps().ok().map(|maps| thumbnails(&maps, &plan)).unwrap_or_default();
-    renderer.render(&Frame { show: Show::Splits, ..*frame })?;
-    let tinted = Some(image_of(renderer.picture()?)?);
-    let texels: Vec<String> = plan.views().iter().map(|view| format!("{:.3}", view.texel_metres)).collect();
-    let words = vec![
-        format!("splits {} m", splits_text(plan.splits())),
-        format!("a texel is {} m", texels.join(", ")),
-        format!("{} texels, {} bytes", plan.layout().texels(), plan.layout().bytes()),
-        format!("casters {:.2} ms, shading {:.2} ms ({clock}, median of {RUNS})", times.casters, times.shade),
-    ];
-    Ok(Column { title, shadowed, tinted, maps, words })
+    let maps = renderer.maps().ok().map(|maps| thumbnails(&maps, &judged.plan)).unwrap_or_default();
+    renderer.render(&smooth(Show::Splits)?)?;
+    let tinted = image_of(renderer.picture()?)?;
+    let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
+    let Judged { heat_map, true_picture, .. } = judged;
+    let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);
+    Ok(Column { title: format!("{what} ({preset})"), shadowed, wrong, tinted, maps, words, truth })
 }
 
-/// How often a picture is drawn for its times.
-const RUNS: usize = 5;
-
-/// Draws a frame several times with one sample a pixel, then once with all; the plan, and the median of each stage.
-fn timed(renderer: &mut Renderer<'_>, frame: &Frame) -> Outcome<(ShadowPlan, FrameTimes)> {
-    let mut times = Vec::new();
-    for _ in 0..=RUNS {
-        times.push(renderer.render(&Frame { samples: 1, ..*frame })?.times);
-    }
-    times.remove(0); // the first frame also makes what later ones reuse
-    let last = renderer.render(frame)?;
-    let median = |pick: fn(&FrameTimes) -> f64| {
-        let mut values: Vec<f64> = times.iter().map(pick).collect();
-        values.sort_by(f64::total_cmp);
-        values[values.len() / 2]
-    };
-    let times = FrameTimes {
-        plan: median(|t| t.plan),
-        casters: median(|t| t.casters),
-        shade: median(|t| t.shade),
-        frame: median(|t| t.frame),
-    };
-    Ok((last.plan, times))
+/// What a technique does, how wrong it is, and what it costs.
+fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> anyhow::Result<Vec<String>> {
+    let error = measurement.error.as_ref().context("the default world has pixels to judge")?;
+    let times = measurement.milliseconds.unwrap_or_default();
+    let clock = if has_timestamps { "device time" } else { "wall time" };
+    let texels: Vec<String> = plan.views().iter().map(|view| format!("{:.3}", view.texel_metres)).collect();
+    let percent = |share: f64| format!("{:.2} %", 100.0 * share);
+    let edges =
+        error.edge_displacement_px.map_or_else(String::new, |px| format!("; edges off by {px:.2} pixels"));
+    Ok(vec![
+        format!("splits {} m", splits_text(plan.splits())),
+        format!("a texel is {} m", texels.join(", ")),
+        format!("{} of pixels wrongly shadowed or lit{edges}", percent(error.mis_shadowed)),
+        format!(
+            "{} shadowed falsely, {} lit falsely",
+            percent(error.false_shadow),
+            percent(error.false_light)
+        ),
+        format!("{} texels, {} bytes", measurement.texels, measurement.bytes),
+        format!(
+            "casters {:.2} ms, shading {:.2} ms ({clock}, median of {RUNS})",
+            times.casters.median, times.shade.median
+        ),
+    ])
 }
 
 fn image_of(picture: Picture) -> anyhow::Result<RgbaImage> {
@@ -168,32 +167,31 @@ fn thumbnails(maps: &MapTexels, plan: &ShadowPlan) -> Vec<RgbaImage> {
 }
 
 fn compose(heading: &str, columns: &[Column]) -> anyhow::Result<RgbaImage> {
-    let width = GAP + columns.len() as u32 * (WIDTH + GAP);
-    let height = HEAD + 2 * (HEIGHT + GAP) + MAP + GAP + WORDS;
-    let mut sheet = Sheet::new(width, height)?;
-    let foot = HEAD + 2 * (HEIGHT + GAP) + MAP + GAP;
+    let width = GAP + (columns.len() as u32 + 1) * (WIDTH + GAP);
+    let rows = 3 * (HEIGHT + GAP);
+    let foot = HEAD + rows + MAP + GAP;
+    let mut sheet = Sheet::new(width, foot + WORDS)?;
     sheet.write(heading, GAP, 12, 26.0);
-    for (i, column) in columns.iter().enumerate() {
-        let x = GAP + i as u32 * (WIDTH + GAP);
-        let mut y = HEAD;
-        sheet.write(column.title, x, y - LINE - 8, 24.0);
-        sheet.place(&column.shadowed, x, y, WIDTH, HEIGHT);
-        y += HEIGHT + GAP;
-        for (j, line) in column.words.iter().enumerate() {
-            sheet.write(line, x, foot + j as u32 * LINE, 20.0);
+    let mut x = GAP;
+    for column in columns {
+        sheet.write(&column.title, x, HEAD - LINE - 8, 24.0);
+        for (picture, y) in [&column.shadowed, &column.wrong, &column.tinted].into_iter().zip([0, 1, 2]) {
+            sheet.place(picture, x, HEAD + y * (HEIGHT + GAP), WIDTH, HEIGHT);
         }
-        if column.tinted.is_none() {
-            for (j, line) in LEGEND.iter().enumerate() {
-                sheet.write(line, x, y + j as u32 * (LINE + 6), 22.0);
-            }
+        for (map, j) in column.maps.iter().zip(0..) {
+            sheet.place(map, x + j * (MAP + GAP), HEAD + rows, MAP, MAP);
         }
-        if let Some(tinted) = &column.tinted {
-            sheet.place(tinted, x, y, WIDTH, HEIGHT);
-            y += HEIGHT + GAP;
-            for (j, map) in column.maps.iter().enumerate() {
-                sheet.place(map, x + j as u32 * (MAP + GAP), y, MAP, MAP);
-            }
+        for (line, j) in column.words.iter().zip(0..) {
+            sheet.write(line, x, foot + j * LINE, 20.0);
         }
+        x += WIDTH + GAP;
+    }
+    sheet.write("Exact shadows, traced", x, HEAD - LINE - 8, 24.0);
+    if let Some(column) = columns.last() {
+        sheet.place(&column.truth, x, HEAD, WIDTH, HEIGHT);
+    }
+    for (line, j) in LEGEND.iter().zip(0..) {
+        sheet.write(line, x, HEAD + HEIGHT + GAP + j * (LINE + 6), 22.0);
     }
     Ok(sheet.image)
 }

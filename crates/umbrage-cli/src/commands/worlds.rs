@@ -1,5 +1,6 @@
 //! `umbrage worlds`, `umbrage worlds export`
 
+use umbrage_lab::files;
 use umbrage_scene::worlds;
 
 use crate::args::{WorldsArgs, WorldsCommand};
@@ -10,7 +11,7 @@ use crate::world;
 pub fn run(args: &WorldsArgs) -> Outcome {
     match &args.command {
         Some(WorldsCommand::Export { world, output, seed }) => {
-            umbrage_scene::save_glb(&world::load(world, *seed)?, output)?;
+            files::write(output, &umbrage_scene::to_glb(&world::load(world, *seed)?)?)?;
         }
         None => {
             for world in worlds::ALL {

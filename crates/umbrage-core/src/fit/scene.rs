@@ -1,43 +1,138 @@
-//! Fit to the part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2): the slice within the
-//! world's box, and within the boxes of the objects that it touches.
+//! Fit to the part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2): what the slice leaves of
+//! the objects' boxes, and the map turned to suit it.
 
-use glam::DVec3;
+use std::ops::Range;
 
-use super::{Fitted, Slice, bounds_of};
-use crate::bounds::Aabb;
+use glam::{DVec2, DVec3};
+
+use super::outline::Outline;
+use super::turn::{least_turn, rectangle};
+use super::within::{Cutter, Within};
+use super::{Fitted, LightSpace, Slice};
 use crate::convex::ConvexBody;
-use crate::cull::ConvexVolume;
-use crate::fit::LightSpace;
 
-pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
-    let light = slice.light_along_view();
+pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody, outline: &mut Outline) -> Fitted {
     let nothing = || super::view::fit(slice, &ConvexBody::default());
     if receivers.is_empty() {
         return nothing();
     }
-    let (mut min, mut max) = bounds_of(receivers.corners().map(|p| light.to_light(p)));
-    if !slice.bounds.objects.is_empty() {
-        let (low, high) = objects_in(slice, receivers, &light);
-        min = min.max(low);
-        max = max.min(high);
-        if !min.cmple(max).all() {
-            return nothing();
-        }
+    let mut seen = Seen::new(slice.light_along_view(), outline);
+    if slice.bounds.objects.is_empty() {
+        receivers.corners().for_each(|point| seen.add(point));
+    } else {
+        seen.add_objects(slice);
     }
-    slice.complete(light, min.truncate(), max.truncate(), min.z..max.z, receivers)
+    let Seen { light, depths, outline } = seen;
+    if outline.corners().is_empty() {
+        return nothing();
+    }
+    let side = least_turn(outline.corners());
+    let (min, max) = rectangle(outline.corners(), side);
+    slice.complete(light.turned(side), min, max, depths, receivers)
 }
 
-/// The light-space box around the objects that the slice may touch, each cut to the slice's own box first.
-fn objects_in(slice: &Slice<'_>, receivers: &ConvexBody, light: &LightSpace) -> (DVec3, DVec3) {
-    let (low, high) = bounds_of(receivers.corners());
-    let frustum = ConvexVolume::of_clip(&slice.camera.clip_from_world());
-    let mut sum = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for object in slice.bounds.objects.iter().filter(|object| frustum.may_touch_box(object)) {
-        let cut = Aabb { min: object.min.max(low.as_vec3()), max: object.max.min(high.as_vec3()) };
-        if !cut.is_empty() {
-            let (min, max) = bounds_of(cut.corners_f64().into_iter().map(|p| light.to_light(p)));
-            sum = (sum.0.min(min), sum.1.max(max));
+/// What was found in the slice, in light space.
+struct Seen<'a> {
+    light: LightSpace,
+    outline: &'a mut Outline,
+    depths: Range<f64>,
+}
+
+impl<'a> Seen<'a> {
+    fn new(light: LightSpace, outline: &'a mut Outline) -> Self {
+        outline.clear();
+        Self { light, outline, depths: f64::INFINITY..f64::NEG_INFINITY }
+    }
+
+    fn add(&mut self, point: DVec3) {
+        let point = self.light.to_light(point);
+        self.depths = self.depths.start.min(point.z)..self.depths.end.max(point.z);
+        self.outline.add(point.truncate());
+    }
+
+    fn add_objects(&mut self, slice: &Slice<'_>) {
+        let cutter = Cutter::new(slice.camera.slice_corners(slice.depths.clone()));
+        for object in slice.bounds.objects.iter().filter(|object| !object.is_empty()) {
+            let (min, max) = (object.min.as_dvec3(), object.max.as_dvec3());
+            let (centre, half) = ((min + max) * 0.5, (max - min) * 0.5);
+            match cutter.classify(centre, half) {
+                Within::Outside => {}
+                Within::Inside => self.add_box(centre, half),
+                Within::Across(planes) => cutter.cut(object, &planes, |point| self.add(point)),
+            }
         }
     }
-    sum
+
+    /// Adds a whole box; its corners only where the outline does not hold them already.
+    fn add_box(&mut self, centre: DVec3, half: DVec3) {
+        let LightSpace { right, up, along } = self.light;
+        let middle = self.light.to_light(centre);
+        let reach = DVec3::new(right.abs().dot(half), up.abs().dot(half), along.abs().dot(half));
+        self.depths = self.depths.start.min(middle.z - reach.z)..self.depths.end.max(middle.z + reach.z);
+        let middle = middle.truncate();
+        if self.outline.holds(middle, reach.truncate()) {
+            return;
+        }
+        let [x, y, z] = [0, 1, 2].map(|i| DVec2::new(right[i], up[i]) * half[i]);
+        for corner in [x + y + z, x + y - z, x - y + z, x - y - z] {
+            self.outline.add(middle + corner);
+            self.outline.add(middle - corner);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::bounds::{Aabb, Bounds};
+    use crate::fit::{bounds_of, fit};
+    use crate::{Camera, Projection, Select, Settings};
+
+    /// The looser road: axes along the view, and boxes cut to the slice's own box.
+    fn loose_sides(slice: &Slice<'_>) -> Option<DVec2> {
+        let light = slice.light_along_view();
+        let (low, high) = bounds_of(slice.camera.slice_corners(slice.depths.clone()).into_iter());
+        let cut = slice
+            .bounds
+            .objects
+            .iter()
+            .map(|object| Aabb { min: object.min.max(low.as_vec3()), max: object.max.min(high.as_vec3()) });
+        let corners = cut.filter(|cut| !cut.is_empty()).flat_map(Aabb::corners_f64);
+        let (min, max) = bounds_of(corners.map(|p| light.to_light(p)));
+        let (low, high) = slice.bounds_in(&light);
+        let (min, max) = (min.max(low).truncate(), max.min(high).truncate());
+        min.cmple(max).all().then(|| (max - min) * slice.padding())
+    }
+
+    fn boxes() -> impl Strategy<Value = Vec<Aabb>> {
+        let corner = prop::array::uniform3(-60.0f32..60.0).prop_map(Vec3::from);
+        let size = prop::array::uniform3(0.0f32..30.0).prop_map(Vec3::from);
+        let aabb = (corner, size).prop_map(|(min, size)| Aabb { min, max: min + size });
+        proptest::collection::vec(aabb, 1..30)
+    }
+
+    proptest! {
+        #[test]
+        fn the_longer_side_is_never_longer_than_that_of_boxes_along_the_view(
+            objects in boxes(), eye in prop::array::uniform3(-80.0f32..80.0), fov_y in 0.2f32..2.0,
+            along in prop::array::uniform3(-1.0f64..1.0), near in 1.0f64..100.0, reach in 1.0f64..100.0,
+        ) {
+            let projection = Projection::Perspective { fov_y, aspect: 1.6 };
+            let camera = Camera::looking(Vec3::from(eye), Vec3::new(0.1, 0.2, 0.3), Vec3::Y, projection, 1.0, 200.0);
+            let Ok(camera) = camera else { return Ok(()) };
+            let world = objects.iter().fold(Aabb::EMPTY, |sum, object| sum.union(*object));
+            let bounds = Bounds { world, objects };
+            let settings = Settings { select: Select::Depth, ..Settings::default() };
+            let along = DVec3::from(along).normalize_or(DVec3::NEG_Y);
+            let slice = Slice { camera: &camera, depths: near..near + reach, along, bounds: &bounds, settings: &settings };
+            let tight = fit(&slice, &mut Outline::default());
+            let Some(loose) = loose_sides(&slice).filter(|_| !tight.casters.is_empty()) else { return Ok(()) };
+            // Nothing found gives the whole slice, and no casters.
+            let longer = (tight.max - tight.min).truncate().max_element();
+            prop_assert!(longer <= loose.max_element() * 1.0001 + 0.01, "{longer} m, but {loose} m before");
+        }
+    }
 }

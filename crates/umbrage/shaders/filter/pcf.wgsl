@@ -1,6 +1,6 @@
 // The mean of UMBRAGE_PCF_SIZE² bilinear lookups, one texel apart (percentage-closer filtering, Reeves et al. 1987).
 
-fn umbrage_filter(view_index: u32, texel: vec2f, reference: f32, pixel: vec2f) -> f32 {
+fn umbrage_filter(view_index: u32, texel: vec2f, reference: f32, gradient: vec2f, pixel: vec2f) -> f32 {
     const REACH: i32 = UMBRAGE_PCF_SIZE / 2;
     let layer = umbrage_frame.views[view_index].layer;
     var sum = 0.0;

@@ -7,7 +7,8 @@ fn umbrage_select(light: u32, depth: f32, world_position: vec3f, world_normal: v
         let tile_size = umbrage_frame.views[first + i].tile_size;
         let low = vec2f(UMBRAGE_KERNEL_HALF_WIDTH);
         let inside = all(lookup.texel >= low) && all(lookup.texel <= vec2f(tile_size) - low);
-        if inside && lookup.reference >= 0.0 && lookup.depth <= 1.0 {
+        let nearest = lookup.reference - dot(abs(lookup.gradient), low);
+        if inside && nearest >= 0.0 && lookup.depth <= 1.0 {
             return first + i;
         }
     }

@@ -101,16 +101,28 @@ pub struct Drawn {
 
 /// Draws a world's shadow maps.
 pub fn draw(
-    (device, queue): (wgpu::Device, wgpu::Queue),
+    device: (wgpu::Device, wgpu::Queue),
     settings: Settings,
     camera: &Camera,
     lights: &[Vec3],
     world: &[[Vec3; 3]],
 ) -> Drawn {
+    draw_within(device, settings, camera, lights, world, &bounds(world))
+}
+
+/// Draws a world's shadow maps, planned with given bounds.
+pub fn draw_within(
+    (device, queue): (wgpu::Device, wgpu::Queue),
+    settings: Settings,
+    camera: &Camera,
+    lights: &[Vec3],
+    world: &[[Vec3; 3]],
+    bounds: &Bounds,
+) -> Drawn {
     let mut shadows = Shadows::for_lights(&device, settings, lights.len()).expect("valid settings");
     let lights: Vec<Light> =
         lights.iter().map(|light| Light::directional(*light).expect("a light")).collect();
-    let plan = shadows.plan(camera, &lights, &bounds(world)).expect("a plan");
+    let plan = shadows.plan(camera, &lights, bounds).expect("a plan");
     shadows.upload(&queue, &plan);
     let source = caster_wgsl()
         + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";
@@ -195,19 +207,23 @@ impl Drawn {
         self.ask(&(self.shadows.wgsl(1) + main + &ask), bytemuck::cast_slice(queries), queries.len())
     }
 
-    /// What the filter alone says at places in one view: x and y in texels, and the depth to compare with.
-    pub fn filter(&self, view: u32, places: &[(Vec2, f32)]) -> Vec<f32> {
+    /// What the filter alone says at places in one view: x and y in texels, the depth to compare with, and its gradient.
+    pub fn filter(&self, view: u32, places: &[(Vec2, f32, Vec2)]) -> Vec<f32> {
         let main = format!(
             "
-            @group(0) @binding(0) var<storage, read> places: array<vec4f>;
+            struct Place {{ texel: vec2f, gradient: vec2f, reference: f32 }}
+            @group(0) @binding(0) var<storage, read> places: array<Place>;
             @group(0) @binding(1) var<storage, read_write> answers: array<f32>;
             @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {{
                 if id.x >= arrayLength(&places) {{ return; }}
-                answers[id.x] = umbrage_filter({view}u, places[id.x].xy, places[id.x].z, vec2f(0.5));
+                let place = places[id.x];
+                answers[id.x] = umbrage_filter({view}u, place.texel, place.reference, place.gradient, vec2f(0.5));
             }}"
         );
-        let places: Vec<[f32; 4]> =
-            places.iter().map(|(texel, depth)| [texel.x, texel.y, *depth, 0.0]).collect();
+        let places: Vec<[f32; 6]> = places
+            .iter()
+            .map(|(texel, depth, gradient)| [texel.x, texel.y, gradient.x, gradient.y, *depth, 0.0])
+            .collect();
         self.ask(&(self.shadows.wgsl(1) + &main), bytemuck::cast_slice(&places), places.len())
     }
 

@@ -21,35 +21,59 @@ fn places(size: f32) -> Vec<(Vec2, f32)> {
         .collect()
 }
 
+/// How much the depth to compare with grows a texel, at the i-th place. Where depths are to be equal, along one axis and
+/// of few bits: then the product with a place on the grid of [`on_grid`] is exact, and the sum is rounded once.
+fn gradient(i: usize) -> Vec2 {
+    let step = |n: usize| (i * n % 63) as f32 - 31.0;
+    let axes = [Vec2::X, Vec2::ONE, Vec2::Y, Vec2::ONE];
+    Vec2::new(step(37), step(53)) / 4096.0 * axes[i % 4]
+}
+
+/// The nearest place on a grid of sixteenths of a texel.
+fn on_grid(texel: Vec2) -> Vec2 {
+    (texel * 16.0).round() / 16.0
+}
+
 /// For each storage and depth format, the largest difference between the GPU's filter and Rust's, and how many differ.
-fn compare_filters(filter: Filter) -> Vec<(f32, usize)> {
+fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
     let mut found = Vec::new();
     for (storage, depth) in [
         (Storage::Array, DepthFormat::F32),
         (Storage::Atlas, DepthFormat::F32),
         (Storage::Atlas, DepthFormat::U16),
     ] {
-        let settings = Settings { filter, storage, depth, splits: 3, resolution: 256, ..Settings::default() };
+        let bias = Bias { receiver_plane, ..Bias::default() };
+        let settings =
+            Settings { filter, storage, depth, bias, splits: 3, resolution: 256, ..Settings::default() };
         let drawn = draw(device(wgpu::Backends::VULKAN), settings, &eye(), &[LIGHT], &world());
         let maps = drawn.maps();
         let lookup = drawn.lookup(&maps);
         for view in drawn.plan.views() {
-            let mut places = places(256.0);
-            for (i, (texel, reference)) in places.iter_mut().enumerate() {
-                let stored = maps.depth(view.tile, texel.x.floor() as i64, texel.y.floor() as i64);
-                match depth {
+            let places: Vec<(Vec2, f32, Vec2)> = (0..)
+                .zip(places(256.0))
+                .map(|(i, (texel, reference))| {
+                    let gradient = if receiver_plane { gradient(i) } else { Vec2::ZERO };
                     // Half of the comparisons at exactly the stored depth: equal is lit.
-                    DepthFormat::F32 if i % 2 == 0 => *reference = stored,
-                    DepthFormat::F32 => {}
-                    // Samplers may convert a 16-bit depth, or the reference, with rounding: keep apart from equal.
-                    DepthFormat::U16 => {
-                        let steps = if i % 2 == 0 { 0.25 } else { -0.25 };
-                        *reference = (stored + steps / 65535.0).clamp(0.0, 1.0);
-                    }
-                }
-            }
+                    let is_equal = i % 2 == 0;
+                    let texel = if receiver_plane && is_equal { on_grid(texel) } else { texel };
+                    let centre = texel.floor().clamp(Vec2::ZERO, Vec2::splat(255.0)) + 0.5;
+                    let stored = maps.depth(view.tile, centre.x as i64, centre.y as i64);
+                    let here = stored - gradient.dot(centre - texel);
+                    let reference = match depth {
+                        DepthFormat::F32 if is_equal => here,
+                        DepthFormat::F32 => reference,
+                        // Samplers may convert a 16-bit depth, or the reference, with rounding: keep apart from equal.
+                        DepthFormat::U16 if is_equal => here + 0.25 / 65535.0,
+                        DepthFormat::U16 => here - 0.25 / 65535.0,
+                    };
+                    // Receivers beyond 1 are lit without asking a filter.
+                    (texel, reference.min(1.0), gradient)
+                })
+                .collect();
             let gpu = drawn.filter(view.index as u32, &places);
-            let cpu = places.iter().map(|(texel, reference)| lookup.filter(view, *texel, *reference));
+            let cpu = places
+                .iter()
+                .map(|(texel, reference, gradient)| lookup.filter(view, *texel, *reference, *gradient));
             let differences: Vec<f32> = gpu.iter().zip(cpu).map(|(gpu, cpu)| (gpu - cpu).abs()).collect();
             let lit = gpu.iter().filter(|v| **v > 0.5).count();
             assert!(lit > 1000 && lit < places.len() - 1000, "{lit} of {} are lit", places.len());
@@ -64,23 +88,29 @@ fn compare_filters(filter: Filter) -> Vec<(f32, usize)> {
 
 #[test]
 fn hard_lookups_agree_bit_for_bit() {
-    for (largest, differing) in compare_filters(Filter::Hard {}) {
-        assert_eq!((largest, differing), (0.0, 0));
+    for receiver_plane in [false, true] {
+        for (largest, differing) in compare_filters(Filter::Hard {}, receiver_plane) {
+            assert_eq!((largest, differing), (0.0, 0), "receiver plane {receiver_plane}");
+        }
     }
 }
 
 #[test]
 fn bilinear_lookups_agree_within_a_256th() {
-    for (largest, _) in compare_filters(Filter::Bilinear {}) {
-        assert!(largest <= 1.0 / 256.0 + 1e-6, "{largest}");
+    for receiver_plane in [false, true] {
+        for (largest, _) in compare_filters(Filter::Bilinear {}, receiver_plane) {
+            assert!(largest <= 1.0 / 256.0 + 1e-6, "receiver plane {receiver_plane}: {largest}");
+        }
     }
 }
 
 #[test]
 fn pcf_lookups_of_every_size_agree_within_a_256th() {
-    for size in [1, 3, 5, 7, 9] {
-        for (largest, _) in compare_filters(Filter::Pcf { size }) {
-            assert!(largest <= 1.0 / 256.0 + 1e-6, "{size}: {largest}");
+    for receiver_plane in [false, true] {
+        for size in [1, 3, 5, 7, 9] {
+            for (largest, _) in compare_filters(Filter::Pcf { size }, receiver_plane) {
+                assert!(largest <= 1.0 / 256.0 + 1e-6, "{size}, receiver plane {receiver_plane}: {largest}");
+            }
         }
     }
 }
@@ -88,8 +118,10 @@ fn pcf_lookups_of_every_size_agree_within_a_256th() {
 #[test]
 fn whole_lookups_agree_but_where_rounding_decides_a_comparison() {
     for select in [Select::Depth, Select::ClipDepth, Select::Map] {
-        for fit in [Fit::Scene, Fit::View, Fit::Stable] {
-            let bias = Bias { slope: 0.5, ..Bias::default() };
+        for (fit, receiver_plane) in
+            [Fit::Scene, Fit::View, Fit::Stable].into_iter().flat_map(|fit| [(fit, false), (fit, true)])
+        {
+            let bias = Bias { slope: 0.5, receiver_plane, ..Bias::default() };
             let settings = Settings {
                 select,
                 fit,

@@ -1,0 +1,163 @@
+//! `umbrage measure`: how wrong shadows are, and what they cost.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use image::ExtendedColorType;
+use serde::Serialize;
+use umbrage_judge::statistics::Interval;
+use umbrage_judge::{DepthBand, jittered};
+use umbrage_lab::figures::{self, Figure};
+use umbrage_lab::{Judged, Laboratory, Measurement, Motion, Shot, TruthKind, Watch, files};
+use umbrage_render::{Gpu, Picture};
+
+use crate::args::{MeasureArgs, MotionArg, TruthArg};
+use crate::failure::Outcome;
+use crate::{output, progress, settings, world};
+
+/// Pictures are measured this large where the command line does not say, pixels.
+const SIZE: (u32, u32) = (640, 360);
+
+/// Points a side of each pixel, for sub-pixel truth.
+const SUB_PIXELS: u32 = 8;
+
+/// `umbrage measure --json`.
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    measurement: &'a Measurement,
+    /// The mean of every figure over the jittered cameras, and how far from the true mean it may be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    intervals: Option<BTreeMap<&'static str, Sure>>,
+}
+
+#[derive(Serialize)]
+struct Sure {
+    mean: f64,
+    half_width_95: f64,
+    samples: Interval,
+}
+
+pub fn run(args: &MeasureArgs) -> Outcome {
+    let settings = settings::resolve(&args.shadows)?;
+    check_outputs(args)?;
+    let scene = world::load(&args.world.world, args.world.seed)?;
+    let shot = world::shot(&args.world, &scene, SIZE)?;
+    let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
+    let mut laboratory = Laboratory::new(&gpu, &scene)?;
+    let bar = progress::bar(u64::from(args.repeats), "measuring");
+    let mut judged = laboratory.judge(&shot, &settings, kind(args), args.frames)?;
+    bar.inc(1);
+    if judged.measurement.error.is_none() {
+        return Err(
+            anyhow::anyhow!("no pixels to judge: the camera sees nothing that the sun could light").into()
+        );
+    }
+    let mut others = Vec::new();
+    for repeat in 1..args.repeats {
+        let moved = Shot { camera: jittered(&shot.camera, repeat), ..shot.clone() };
+        others.push(laboratory.judge(&moved, &settings, kind(args), 0)?.measurement);
+        bar.inc(1);
+    }
+    if let Some(arg) = args.motion {
+        judged.measurement.flicker =
+            Some(laboratory.flicker(&shot, &settings, motion(arg), Watch::default())?);
+    }
+    bar.finish_and_clear();
+    write_pictures(args, &judged)?;
+    let measurement = &judged.measurement;
+    let intervals = (!others.is_empty()).then(|| intervals(measurement, &others));
+    match &args.json {
+        Some(path) => output::write_json(path, &Report { measurement, intervals })?,
+        None => output::print(&text(measurement, intervals.as_ref()))?,
+    }
+    Ok(())
+}
+
+/// Whether everything can be written where it is wanted, before any work is done.
+fn check_outputs(args: &MeasureArgs) -> Outcome {
+    let files = [&args.json, &args.heat_map, &args.true_picture].into_iter().flatten();
+    for path in files.filter(|path| path.as_os_str() != "-") {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        files::check_writable(folder.unwrap_or(Path::new(".")))?;
+    }
+    Ok(())
+}
+
+fn kind(args: &MeasureArgs) -> TruthKind {
+    match args.truth {
+        TruthArg::Hard => TruthKind::Hard,
+        TruthArg::SubPixel => TruthKind::SubPixel(SUB_PIXELS),
+        TruthArg::Soft => TruthKind::Soft { samples: args.sun_points, angle: args.sun_angle.to_radians() },
+    }
+}
+
+fn motion(arg: MotionArg) -> Motion {
+    match arg {
+        MotionArg::Translate => Motion::Translate,
+        MotionArg::Yaw => Motion::Yaw,
+        MotionArg::Walk => Motion::Walk,
+        MotionArg::Fast => Motion::Fast,
+        MotionArg::Sun => Motion::Sun,
+        MotionArg::Objects => Motion::Objects,
+        MotionArg::SubTexel => Motion::SubTexel,
+    }
+}
+
+fn write_pictures(args: &MeasureArgs, judged: &Judged) -> anyhow::Result<()> {
+    for (path, picture) in [(&args.heat_map, &judged.heat_map), (&args.true_picture, &judged.true_picture)] {
+        if let Some(path) = path {
+            let Picture { width, height, rgba } = picture;
+            output::write_png(path, *width, *height, rgba, ExtendedColorType::Rgba8)?;
+        }
+    }
+    Ok(())
+}
+
+/// Every figure that all measurements have.
+fn intervals(first: &Measurement, others: &[Measurement]) -> BTreeMap<&'static str, Sure> {
+    let sure = |figure: &'static Figure| {
+        let samples =
+            std::iter::once(first).chain(others).map(|m| figure.of(m)).collect::<Option<Vec<f64>>>()?;
+        let samples = Interval::of(samples);
+        Some((figure.key, Sure { mean: samples.mean(), half_width_95: samples.half_width(), samples }))
+    };
+    figures::ALL.iter().filter_map(sure).collect()
+}
+
+fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sure>>) -> String {
+    let Measurement { world, camera, triangles, width, height, adapter, truth, bytes, texels, .. } =
+        measurement;
+    let mut text =
+        format!("{world}, camera {camera}: {triangles} triangles, {width} x {height} on {adapter}\n");
+    text += &format!("{texels} texels, {bytes} bytes of shadow maps\n");
+    text += &format!(
+        "{} pixels judged, {} of them shadowed, {} ambiguous; {:.0} pixels of shadow edge\n\n",
+        truth.pixels, truth.shadowed, truth.ambiguous, truth.edge_px
+    );
+    for figure in figures::ALL.iter().filter(|figure| !figure.key.starts_with("truth")) {
+        let Some(value) = figure.of(measurement) else { continue };
+        let sure = intervals.and_then(|intervals| intervals.get(figure.key));
+        let mean = sure.filter(|sure| sure.half_width_95 > 0.0).map_or_else(String::new, |sure| {
+            format!("   mean {} ± {}", figure.text(sure.mean), figure.text(sure.half_width_95))
+        });
+        text += &format!("{:<20} {:>14}{mean}\n", figure.label, figure.text(value));
+    }
+    if let Some(flicker) = &measurement.flicker {
+        text += &format!(
+            "{} points watched for {} frames, {} times in sight in two frames in a row\n",
+            flicker.points, flicker.frames, flicker.pairs
+        );
+    }
+    for (i, band) in measurement.splits.iter().enumerate() {
+        text += &format!("split {i}: {}\n", band_text(band));
+    }
+    text
+}
+
+fn band_text(band: &DepthBand) -> String {
+    let DepthBand { depths: [from, to], pixels, mis_shadowed, edge_displacement_px, .. } = band;
+    let edges =
+        edge_displacement_px.map_or_else(String::new, |px| format!(", edges displaced by {px:.3} px"));
+    format!("{from:.1} to {to:.1} m, {pixels} pixels, {:.3} % mis-shadowed{edges}", 100.0 * mis_shadowed)
+}

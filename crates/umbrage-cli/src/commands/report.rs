@@ -1,0 +1,82 @@
+//! `umbrage report`: an experiment, as a page, as figures, and as the results it is made of.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use umbrage_lab::{Entry, Experiment, LabError, Laboratory, Row, Store, csv, files, page};
+use umbrage_render::Gpu;
+use umbrage_scene::{LightKind, Scene};
+
+use crate::args::ReportArgs;
+use crate::failure::{Failure, Outcome};
+use crate::{output, progress};
+
+pub fn run(args: &ReportArgs) -> Outcome {
+    let (experiment, scenes) = read(&args.experiment)?;
+    let store = Store::open(&args.output)?;
+    let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
+    let hash = |world: &str| scenes.get(world).map_or_else(|| Ok(String::new()), files::scene_hash);
+    let entries = experiment.cells(&gpu.adapter.to_string(), &files::program_hash()?, hash)?;
+    let rows = measure(&gpu, &scenes, &entries, &store)?;
+    let name = args.experiment.file_stem().map_or_else(|| "report".into(), |stem| stem.to_string_lossy());
+    let path = |extension: &str| args.output.join(format!("{name}.{extension}"));
+    let page = page::html(&experiment, &args.experiment.to_string_lossy(), &rows)?;
+    output::write_json(&path("json"), &csv::json(&experiment, &rows)?)?;
+    files::write(&path("csv"), csv::csv(&experiment, &rows).as_bytes())?;
+    files::write(&path("html"), page.as_bytes())?;
+    eprintln!("page: {}", path("html").display());
+    Ok(())
+}
+
+/// An experiment that can be run, and its worlds. Every world must have a sun.
+fn read(path: &Path) -> Outcome<(Experiment, BTreeMap<String, Scene>)> {
+    let mut scenes = BTreeMap::new();
+    let experiment = Experiment::read_with(path, |name, seed| {
+        let scene = files::load_world(name, seed)?.scene;
+        let cameras = scene.cameras.iter().map(|camera| camera.name.clone()).collect();
+        if !scene.lights.iter().any(|light| light.kind == LightKind::Directional) {
+            return Err(LabError::Missing { what: "directional light".to_owned(), world: name.to_owned() });
+        }
+        scenes.insert(name.to_owned(), scene);
+        Ok(cameras)
+    });
+    match experiment {
+        Ok(experiment) => Ok((experiment, scenes)),
+        Err(why @ LabError::Experiment { .. }) => Err(Failure::words(why)),
+        Err(why) => Err(why.into()),
+    }
+}
+
+/// Every cell's result; worlds are uploaded when a cell first needs them.
+fn measure(
+    gpu: &Gpu,
+    scenes: &BTreeMap<String, Scene>,
+    entries: &[Entry],
+    store: &Store,
+) -> Result<Vec<Row>, LabError> {
+    let bar = progress::bar(entries.len() as u64, "cells");
+    let mut current: Option<(&str, Laboratory<'_>)> = None;
+    let rows = umbrage_lab::run(
+        entries,
+        store,
+        |cell| {
+            let (name, scene) = scenes
+                .get_key_value(&cell.world)
+                .ok_or_else(|| LabError::World { name: cell.world.clone() })?;
+            let (_, laboratory) = match current.take().filter(|(current, _)| current == name) {
+                Some(same) => current.insert(same),
+                None => current.insert((name, Laboratory::new(gpu, scene)?)),
+            };
+            laboratory.measure(cell)
+        },
+        |_, _, was_stored| {
+            bar.inc(1);
+            if was_stored {
+                // Stored cells take no time, and say nothing of how long the others will.
+                bar.reset_eta();
+            }
+        },
+    );
+    bar.finish_and_clear();
+    rows
+}

@@ -1,0 +1,146 @@
+//! Truth between lit and shadowed: the mean over a pixel's area, and over the sun's disc.
+
+use rayon::prelude::*;
+
+use crate::truth::{Receiver, faces, receiver, shadow_ray};
+use crate::{Truth, World};
+
+/// Visibility from 0 to 1 for every pixel; 1 where nothing is judged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Smooth {
+    /// One a pixel.
+    pub visibility: Vec<f32>,
+    /// The standard error of each; zeros where every sample counts the same and there is none.
+    pub standard_error: Vec<f32>,
+}
+
+/// The share of each judged pixel's area that the sun reaches: the mean over `side` × `side` points of it. Points on the
+/// sky or on surfaces that are turned away from the sun do not count.
+pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
+    let Truth { eye, sun, .. } = truth;
+    let width = eye.width as usize;
+    let visibility = per_judged_pixel(truth, |i, _| {
+        let (mut lit, mut points) = (0u32, 0u32);
+        for j in 0..side * side {
+            let place = |pixel: usize, step: u32| pixel as f64 + (f64::from(step) + 0.5) / f64::from(side);
+            let ray = eye.ray(place(i % width, j % side), place(i / width, j / side));
+            if let Some(receiver) = receiver(world, eye, &ray).filter(|r| faces(r, sun.to_light)) {
+                points += 1;
+                lit += u32::from(!world.is_blocked(&shadow_ray(&receiver, sun.to_light, 1.0), 0.0));
+            }
+        }
+        (lit as f32 / points.max(1) as f32, 0.0)
+    });
+    split(visibility)
+}
+
+/// How much of the sun's disc reaches each judged pixel: the mean over `samples` points of the disc, rounded up to a
+/// multiple of 8. The points are the same for every pixel: the Sobol sequence, eight times, each time shifted otherwise,
+/// so that the spread of the eight means gives the standard error.
+///
+/// `half_angle` is half the angle that the sun is seen under, radians.
+pub fn soft(world: &World, truth: &Truth, half_angle: f64, samples: u32) -> Smooth {
+    let sets = disc_points(samples.div_ceil(SETS));
+    let directions: Vec<Vec<_>> = sets
+        .iter()
+        .map(|set| set.iter().map(|(x, y)| truth.sun.to_point(half_angle, *x, *y)).collect())
+        .collect();
+    let visibility = per_judged_pixel(truth, |_, receiver| {
+        let means: Vec<f64> = directions
+            .iter()
+            .map(|set| {
+                let reaches = |to_light: &&glam::DVec3| {
+                    faces(receiver, **to_light)
+                        && !world.is_blocked(&shadow_ray(receiver, **to_light, 1.0), 0.0)
+                };
+                set.iter().filter(reaches).count() as f64 / set.len().max(1) as f64
+            })
+            .collect();
+        let interval = crate::statistics::Interval::of(means);
+        (interval.mean() as f32, interval.standard_error() as f32)
+    });
+    split(visibility)
+}
+
+/// How many independent sets of points a soft truth is made of.
+const SETS: u32 = 8;
+
+/// Points on the unit disc.
+fn disc_points(count: u32) -> Vec<Vec<(f64, f64)>> {
+    (0..SETS)
+        .map(|set| {
+            // A digital shift keeps what is good about the sequence.
+            let shift = [set.wrapping_mul(0x9e37_79b9), set.wrapping_mul(0x85eb_ca6b).reverse_bits()];
+            (0..count).map(sobol).map(|[x, y]| on_disc(x ^ shift[0], y ^ shift[1])).collect()
+        })
+        .collect()
+}
+
+/// From a point of the unit square, as 32-bit fractions, to the unit disc; areas keep their proportions.
+fn on_disc(x: u32, y: u32) -> (f64, f64) {
+    let unit = |fraction: u32| (f64::from(fraction) + 0.5) / 2f64.powi(32);
+    let (radius, angle) = (unit(x).sqrt(), unit(y) * std::f64::consts::TAU);
+    (radius * angle.cos(), radius * angle.sin())
+}
+
+/// The `index`th point of the first two dimensions of the Sobol sequence, as 32-bit fractions.
+fn sobol(index: u32) -> [u32; 2] {
+    let mut second = 0;
+    let mut direction = 1 << 31;
+    for bit in 0..32 {
+        if index >> bit & 1 == 1 {
+            second ^= direction;
+        }
+        direction ^= direction >> 1;
+    }
+    [index.reverse_bits(), second]
+}
+
+fn per_judged_pixel(
+    truth: &Truth,
+    visibility: impl Fn(usize, &Receiver) -> (f32, f32) + Sync,
+) -> Vec<(f32, f32)> {
+    (0..truth.pixels.len())
+        .into_par_iter()
+        .map(|i| match truth.receivers[i].filter(|_| truth.pixels[i].is_judged()) {
+            Some(receiver) => visibility(i, &receiver),
+            None => (1.0, 0.0),
+        })
+        .collect()
+}
+
+/// Two lists of a list of pairs.
+fn split(both: Vec<(f32, f32)>) -> Smooth {
+    let (visibility, standard_error) = both.into_iter().unzip();
+    Smooth { visibility, standard_error }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_sobol_points_are_the_known_ones() {
+        let points: Vec<_> = (0..8).map(|i| sobol(i).map(|x| f64::from(x) / 2f64.powi(32))).collect();
+        let known = [
+            [0.0, 0.0],
+            [0.5, 0.5],
+            [0.25, 0.75],
+            [0.75, 0.25],
+            [0.125, 0.625],
+            [0.625, 0.125],
+            [0.375, 0.375],
+            [0.875, 0.875],
+        ];
+        assert_eq!(points, known);
+    }
+
+    #[test]
+    fn points_of_the_disc_are_spread_evenly() {
+        for set in disc_points(1024) {
+            let inner = set.iter().filter(|(x, y)| x * x + y * y < 0.25).count();
+            let left = set.iter().filter(|(x, _)| *x < 0.0).count();
+            assert!(inner.abs_diff(256) <= 8 && left.abs_diff(512) <= 8, "{inner} inside, {left} left");
+        }
+    }
+}

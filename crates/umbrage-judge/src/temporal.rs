@@ -1,0 +1,173 @@
+//! What changes from frame to frame and should not.
+//!
+//! The same points of the world are asked for in every frame of a path; they are chosen once, on surfaces that stand
+//! still ([`anchors`]). Where the sun and the casters stand still too, the truth never changes, and
+//! every change of the claim is wrong.
+
+use glam::DVec3;
+
+use crate::truth::{faces, receiver, shadow_ray};
+use crate::{Eye, Sun, World};
+
+/// A point on a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor {
+    /// In world space.
+    pub position: DVec3,
+    /// Unit, geometric, turned to the eye that chose it.
+    pub normal: DVec3,
+}
+
+/// What a technique says of a point in one frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Visibility, 0 to 1. NaN where the point is out of the camera's sight: changes from and to that do not count.
+    pub visibility: f32,
+    /// Which of the technique's maps the answer is from; any number, as long as it is the same for the same map.
+    pub map: usize,
+}
+
+/// How unsteady a claim is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Flicker {
+    /// Points of the world that were looked at.
+    pub points: usize,
+    /// Frames that they were looked at in.
+    pub frames: usize,
+    /// How often a point was in sight in two frames in a row; all rates are of these.
+    pub pairs: usize,
+    /// Changes between lit and shadowed that the truth does not make, all points and frames together.
+    pub flips: usize,
+    /// Those of them where the point came to be served by another map.
+    pub flips_between_maps: usize,
+    /// The same as a share of the points, for one frame.
+    pub flip_rate: f64,
+    /// The same without those where the point came to be served by another map: exactly 0 for a stable map.
+    pub flip_rate_within_maps: f64,
+    /// Mean of |V₍t+1₎ − 2 V₍t₎ + V₍t−1₎| of the error of visibility: how much it trembles.
+    pub shimmer: f64,
+    /// The largest mean change of the error of visibility between two frames.
+    pub pop: f64,
+    /// The frame that made it; 0 where there is none.
+    pub pop_frame: usize,
+}
+
+/// Up to `count` points of the world, evenly spread over the pictures of some eyes, on surfaces that face the sun and
+/// that `keep` wants (by the index of their triangle).
+pub fn anchors(
+    world: &World,
+    eyes: &[Eye],
+    sun: &Sun,
+    count: usize,
+    keep: impl Fn(usize) -> bool,
+) -> Vec<Anchor> {
+    // The R2 sequence (Roberts, 2018).
+    let place = |i: usize, step: f64| (0.5 + step * i as f64).fract();
+    let pixels = (0..count).filter_map(|i| {
+        let eye = eyes.get(i % eyes.len().max(1))?;
+        let x = place(i, 0.754_877_666_246_692_8) * f64::from(eye.width);
+        let y = place(i, 0.569_840_290_998_053_2) * f64::from(eye.height);
+        receiver(world, eye, &eye.ray(x, y))
+    });
+    let wanted = pixels.filter(|receiver| keep(receiver.triangle) && faces(receiver, sun.to_light));
+    wanted.map(|receiver| Anchor { position: receiver.position, normal: receiver.normal }).collect()
+}
+
+/// The true visibility of points at one time.
+pub fn visibility(world: &World, sun: &Sun, anchors: &[Anchor]) -> Vec<f32> {
+    use rayon::prelude::*;
+    let lit = |anchor: &Anchor| {
+        let receiver =
+            crate::Receiver { position: anchor.position, normal: anchor.normal, depth: 0.0, triangle: 0 };
+        !world.is_blocked(&shadow_ray(&receiver, sun.to_light, 1.0), 0.0)
+    };
+    anchors.par_iter().map(|anchor| f32::from(u8::from(lit(anchor)))).collect()
+}
+
+impl Flicker {
+    /// Compares a claim with the true visibility, both of the same points (inner lists) and frames (outer lists).
+    pub fn new(claim: &[Vec<Seen>], truth: &[Vec<f32>]) -> Self {
+        let error: Vec<Vec<f32>> = claim
+            .iter()
+            .zip(truth)
+            .map(|(claim, truth)| claim.iter().zip(truth).map(|(c, t)| c.visibility - t).collect())
+            .collect();
+        let (mut flips, mut flips_between_maps, mut pairs, mut pop, mut pop_frame) = (0, 0, 0, 0.0, 0);
+        for (t, (claimed, true_)) in claim.windows(2).zip(truth.windows(2)).enumerate() {
+            let (mut change, mut seen) = (0.0, 0usize);
+            for k in 0..claimed[0].len() {
+                let (before, after) = (claimed[0][k], claimed[1][k]);
+                if (before.visibility + after.visibility).is_nan() {
+                    continue;
+                }
+                seen += 1;
+                let flips_claimed = (before.visibility < 0.5) != (after.visibility < 0.5);
+                if flips_claimed && (true_[0][k] < 0.5) == (true_[1][k] < 0.5) {
+                    flips += 1;
+                    flips_between_maps += usize::from(before.map != after.map);
+                }
+                change += f64::from((error[t + 1][k] - error[t][k]).abs());
+            }
+            pairs += seen;
+            if change > pop * seen as f64 {
+                (pop, pop_frame) = (change / seen as f64, t + 1);
+            }
+        }
+        let bends =
+            error.windows(3).flat_map(|e| (0..e[0].len()).map(|k| (e[2][k] - 2.0 * e[1][k] + e[0][k]).abs()));
+        let (sum, bends) = bends
+            .filter(|bend| !bend.is_nan())
+            .fold((0.0, 0usize), |(sum, n), bend| (sum + f64::from(bend), n + 1));
+        Self {
+            points: claim.first().map_or(0, Vec::len),
+            frames: claim.len(),
+            pairs,
+            flips,
+            flips_between_maps,
+            flip_rate: flips as f64 / pairs.max(1) as f64,
+            flip_rate_within_maps: (flips - flips_between_maps) as f64 / pairs.max(1) as f64,
+            shimmer: sum / bends.max(1) as f64,
+            pop,
+            pop_frame,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All from the same map.
+    fn claim(frames: &[&[f32]]) -> Vec<Vec<Seen>> {
+        let seen = |frame: &&[f32]| frame.iter().map(|&visibility| Seen { visibility, map: 0 }).collect();
+        frames.iter().map(seen).collect()
+    }
+
+    #[test]
+    fn flips_that_the_truth_makes_too_do_not_count() {
+        let mut claim = claim(&[&[1.0, 1.0, 0.0], &[0.0, 0.0, 0.0], &[0.0, 1.0, 0.0]]);
+        let truth = [vec![1.0, 1.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 1.0, 0.0]];
+        let flicker = Flicker::new(&claim, &truth);
+        assert_eq!((flicker.points, flicker.frames, flicker.flips, flicker.flips_between_maps), (3, 3, 2, 0));
+        assert_eq!(flicker.flip_rate, 2.0 / 6.0);
+        assert!((flicker.shimmer - 2.0 / 3.0).abs() < 1e-9, "the second point goes up and down: {flicker:?}");
+        assert!((flicker.pop - 1.0 / 3.0).abs() < 1e-9 && flicker.pop_frame == 1, "{flicker:?}");
+        claim[2][1].map = 1;
+        let flicker = Flicker::new(&claim, &truth);
+        assert_eq!((flicker.flips, flicker.flips_between_maps), (2, 1), "the second flip is to another map");
+    }
+
+    #[test]
+    fn a_steady_claim_does_not_flicker_however_wrong_it_is() {
+        let flicker = Flicker::new(&claim(&[&[0.3; 9][..]; 5]), &vec![vec![1.0; 9]; 5]);
+        assert_eq!((flicker.flips, flicker.shimmer, flicker.pop), (0, 0.0, 0.0));
+        assert_eq!(Flicker::new(&[], &[]), Flicker::default());
+    }
+
+    #[test]
+    fn points_out_of_sight_do_not_count() {
+        let flicker = Flicker::new(&claim(&[&[1.0], &[f32::NAN], &[0.0]]), &vec![vec![1.0]; 3]);
+        assert_eq!((flicker.flips, flicker.flip_rate, flicker.shimmer), (0, 0.0, 0.0));
+    }
+}

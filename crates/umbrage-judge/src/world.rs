@@ -1,0 +1,212 @@
+//! A scene at one time, as triangles that rays can be traced through.
+
+use std::time::Duration;
+
+use glam::{DVec3, Vec3, Vec3A};
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::builder::build_bvh2;
+use obvhs::ray::RayHit;
+use umbrage_scene::Scene;
+
+use crate::Ray;
+
+/// All triangles of a scene, in world space, and a tree over them.
+pub struct World {
+    /// In the order of the tree's leaves.
+    triangles: Vec<[Vec3; 3]>,
+    /// Of each triangle: whether it never moves.
+    still: Vec<bool>,
+    /// `None` where there are no triangles.
+    tree: Option<Bvh2>,
+}
+
+impl std::fmt::Debug for World {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("World").field("triangles", &self.triangles.len()).finish_non_exhaustive()
+    }
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// In multiples of the ray's direction.
+    pub distance: f64,
+    /// Index into [`World::triangles`].
+    pub triangle: usize,
+}
+
+/// How much larger than its triangle a leaf of the tree is, as a share of the world's largest coordinate. The tree walks
+/// in f32: it must not miss what the f64 test would hit, of rays that begin not much farther out than the world itself.
+const MARGIN: f32 = 4.0 * f32::EPSILON;
+
+/// A leaf: a triangle's box, and the margin.
+struct Leaf<'a> {
+    triangle: &'a [Vec3; 3],
+    margin: Vec3A,
+}
+
+impl obvhs::Boundable for Leaf<'_> {
+    fn aabb(&self) -> Aabb {
+        let [a, b, c] = self.triangle.map(Vec3A::from);
+        Aabb { min: a.min(b).min(c) - self.margin, max: a.max(b).max(c) + self.margin }
+    }
+}
+
+impl World {
+    /// A scene at `seconds` after its start, every triangle of it; with the tree built, on all cores.
+    pub fn new(scene: &Scene, seconds: f32) -> Self {
+        let (mut triangles, mut still) = (Vec::with_capacity(scene.triangles()), Vec::new());
+        for instance in &scene.instances {
+            let mesh = &scene.meshes[instance.mesh];
+            let world_from_mesh = instance.world_from_mesh_at(seconds);
+            let corner = |i: &u32| world_from_mesh.transform_point3(mesh.positions[*i as usize]);
+            triangles.extend(mesh.indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.each_ref().map(corner)));
+            still.resize(triangles.len(), !instance.is_dynamic());
+        }
+        Self::build(triangles, still)
+    }
+
+    /// Triangles in world space that never move.
+    pub fn of_triangles(triangles: Vec<[Vec3; 3]>) -> Self {
+        let still = vec![true; triangles.len()];
+        Self::build(triangles, still)
+    }
+
+    /// Triangles with coordinates that are not finite are left out.
+    fn build(triangles: Vec<[Vec3; 3]>, still: Vec<bool>) -> Self {
+        let is_finite = |triangle: &[Vec3; 3]| triangle.iter().all(|corner| corner.is_finite());
+        let (triangles, still): (Vec<_>, Vec<_>) =
+            triangles.into_iter().zip(still).filter(|(triangle, _)| is_finite(triangle)).unzip();
+        if triangles.is_empty() {
+            return Self { triangles, still, tree: None };
+        }
+        let largest = triangles.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f32::max);
+        let margin = Vec3A::splat(largest.max(1.0) * MARGIN);
+        let leaves: Vec<Leaf<'_>> = triangles.iter().map(|triangle| Leaf { triangle, margin }).collect();
+        let mut tree = build_bvh2(&leaves, BvhBuildParams::fast_build(), &mut Duration::default());
+        let order = std::mem::take(&mut tree.primitive_indices);
+        let triangles = order.iter().map(|i| triangles[*i as usize]).collect();
+        let still = order.iter().map(|i| still[*i as usize]).collect();
+        Self { triangles, still, tree: Some(tree) }
+    }
+
+    /// Whether a triangle never moves.
+    pub fn is_still(&self, triangle: usize) -> bool {
+        self.still[triangle]
+    }
+
+    /// Every triangle, in world space.
+    pub fn triangles(&self) -> &[[Vec3; 3]] {
+        &self.triangles
+    }
+
+    /// The nearest triangle that a ray meets at a distance within `from` to `to`.
+    pub fn first_hit(&self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
+        let mut first: Option<Hit> = None;
+        let walk = self.walk(ray, from, to)?;
+        self.tree.as_ref()?.ray_traverse(walk, &mut RayHit::none(), |_, triangle| {
+            let end = first.map_or(to, |hit| hit.distance);
+            match ray.hit(&self.triangles[triangle]).filter(|d| *d >= from && *d < end) {
+                Some(distance) => {
+                    first = Some(Hit { distance, triangle });
+                    (distance as f32).next_up()
+                }
+                None => f32::INFINITY,
+            }
+        });
+        first
+    }
+
+    /// Whether a ray meets any triangle beyond `from`.
+    pub fn is_blocked(&self, ray: &Ray, from: f64) -> bool {
+        let (Some(walk), Some(tree)) = (self.walk(ray, from, f64::INFINITY), &self.tree) else {
+            return false;
+        };
+        !tree.ray_traverse_miss(walk, |_, triangle| {
+            let hit = ray.hit(&self.triangles[triangle]).is_some_and(|distance| distance >= from);
+            if hit { 0.0 } else { f32::INFINITY }
+        })
+    }
+
+    /// The unit normal of a triangle, by its winding; zero for one without area.
+    pub fn normal(&self, triangle: usize) -> DVec3 {
+        let [a, b, c] = self.triangles[triangle].map(Vec3::as_dvec3);
+        (b - a).cross(c - a).normalize_or_zero()
+    }
+
+    /// The ray as the tree walks it, in f32. `None` for one that is not finite.
+    fn walk(&self, ray: &Ray, from: f64, to: f64) -> Option<obvhs::ray::Ray> {
+        let (origin, direction) = (ray.origin.as_vec3a(), ray.direction.as_vec3a());
+        let usable = origin.is_finite() && direction.is_finite() && direction != Vec3A::ZERO;
+        let (from, to) = ((from as f32).next_down().max(0.0), (to as f32).next_up());
+        usable.then(|| obvhs::ray::Ray::new(origin, direction, from, to))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// The oracle of the tree: every triangle is asked.
+    fn brute_force(world: &World, ray: &Ray, from: f64, to: f64) -> Option<f64> {
+        let hits = world.triangles().iter().filter_map(|triangle| ray.hit(triangle));
+        hits.filter(|d| *d >= from && *d < to).min_by(f64::total_cmp)
+    }
+
+    fn point(size: f32) -> impl Strategy<Value = Vec3> {
+        prop::array::uniform3(-size..size).prop_map(Vec3::from_array)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn the_tree_answers_as_brute_force_does(
+            corners in prop::collection::vec((point(1000.0), point(30.0), point(30.0)), 1..400),
+            rays in prop::collection::vec((point(1500.0), point(1.0), 0.0f64..10.0), 40),
+        ) {
+            let world = World::of_triangles(corners.iter().map(|(a, b, c)| [*a, *a + *b, *a + *c]).collect());
+            for (origin, direction, from) in rays {
+                prop_assume!(direction.length() > 1e-3);
+                // Half of the rays are aimed at a triangle, so that many hit.
+                let aim = if from < 5.0 { direction } else { corners[0].0 - origin };
+                let ray = Ray::new(origin.as_dvec3(), aim.as_dvec3());
+                let by_force = brute_force(&world, &ray, from * 0.1, f64::INFINITY);
+                let by_tree = world.first_hit(&ray, from * 0.1, f64::INFINITY);
+                prop_assert_eq!(by_tree.map(|hit| hit.distance), by_force);
+                prop_assert_eq!(world.is_blocked(&ray, from * 0.1), by_force.is_some());
+            }
+        }
+    }
+
+    #[test]
+    fn rays_along_the_axes_graze_no_gap_in_a_flat_grid() {
+        let mut triangles = Vec::new();
+        for i in 0..100 {
+            let (x, z) = ((i % 10) as f32 * 100.0, (i / 10) as f32 * 100.0);
+            let [a, b, c, d] = [(x, z), (x + 100.0, z), (x + 100.0, z + 100.0), (x, z + 100.0)]
+                .map(|(x, z)| Vec3::new(x, 0.0, z));
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+        let world = World::of_triangles(triangles);
+        for x in 0..=1000 {
+            for z in [0.0, 100.0, 250.0, 999.0, 1000.0] {
+                let down = Ray::new(DVec3::new(f64::from(x), 700.0, z), DVec3::NEG_Y);
+                assert_eq!(world.first_hit(&down, 0.0, 1e9).map(|hit| hit.distance), Some(700.0), "{x}, {z}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_empty_world_and_triangles_that_are_none_block_nothing() {
+        let ray = Ray::new(DVec3::Y, DVec3::NEG_Y);
+        for triangles in [vec![], vec![[Vec3::NAN; 3]], vec![[Vec3::ZERO; 3]]] {
+            let world = World::of_triangles(triangles);
+            assert!(!world.is_blocked(&ray, 0.0) && world.first_hit(&ray, 0.0, 9.0).is_none(), "{world:?}");
+        }
+    }
+}

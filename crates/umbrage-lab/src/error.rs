@@ -1,0 +1,72 @@
+//! Why there is no result.
+
+use std::path::PathBuf;
+
+use umbrage_render::RenderError;
+use umbrage_scene::SceneError;
+
+use crate::settings::WrongSettings;
+
+/// What can go wrong between an experiment and its page.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum LabError {
+    /// The experiment cannot be run as it is written.
+    #[error("line {line}, `{key}`: {wrong}, in {}", path.display())]
+    Experiment {
+        /// The line of the file, from 1.
+        line: usize,
+        /// The key at fault.
+        key: String,
+        /// What is wrong with it, and what would be right.
+        wrong: String,
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file cannot be read or written.
+    #[error("cannot {action} {}", path.display())]
+    File {
+        /// "read" or "write".
+        action: &'static str,
+        /// Which.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// There is no such world.
+    #[error("no built-in world is called `{name}`, and there is no such file; there are {}", worlds())]
+    World {
+        /// What was asked for.
+        name: String,
+    },
+    /// Settings do not exist.
+    #[error(transparent)]
+    Settings(#[from] WrongSettings),
+    /// A world cannot be had.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A world lacks something that every measurement needs.
+    #[error("the world {world} has no {what}")]
+    Missing {
+        /// What it lacks.
+        what: String,
+        /// The world's name.
+        world: String,
+    },
+    /// A picture cannot be drawn.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    /// A picture cannot be encoded.
+    #[error("a picture cannot be encoded: {0}")]
+    Encode(#[from] image::ImageError),
+    /// A result cannot be written as JSON.
+    #[error("a result cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    /// A plot cannot be drawn.
+    #[error("a plot cannot be drawn: {0}")]
+    Plot(String),
+}
+
+fn worlds() -> String {
+    umbrage_scene::worlds::ALL.iter().map(|world| world.name).collect::<Vec<_>>().join(", ")
+}

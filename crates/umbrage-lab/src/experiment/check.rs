@@ -1,0 +1,263 @@
+//! Whether everything that an experiment names exists, before anything runs.
+
+use std::path::Path;
+
+use toml::Value;
+
+use super::source::{Source, Step, Step::Item, Step::Key};
+use super::{Claim, Experiment, Plot, Sweep, Way};
+use crate::LabError;
+use crate::figures::{self, Figure};
+use crate::settings::WrongSettings;
+
+/// The longest side of a picture, pixels: the largest texture that adapters commonly have.
+const LARGEST_PX: u32 = 16_384;
+
+/// As `umbrage bench`.
+const MOST_FRAMES: u32 = 100_000;
+
+/// More jittered cameras than any interval needs; a slip of the keyboard should not fill the memory.
+const MOST_REPEATS: u32 = 1_000;
+
+type Checked = Result<(), LabError>;
+
+/// Names the first thing that is wrong. `cameras` gives the names of a world's cameras; it is asked last, for it takes
+/// the most time.
+pub fn check(
+    source: &Source<'_>,
+    experiment: &Experiment,
+    cameras: impl FnMut(&str, u64) -> Result<Vec<String>, LabError>,
+) -> Checked {
+    let Experiment {
+        title: _,
+        source: _,
+        reported: _,
+        worlds,
+        cameras: _,
+        ways,
+        seed: _,
+        size,
+        repeats,
+        frames,
+        pictures: _,
+        motions,
+        columns,
+        plots,
+        claims,
+    } = experiment;
+    check_lists(source, experiment)?;
+    check_worlds(source, worlds)?;
+    check_numbers(source, *size, *repeats, *frames)?;
+    unique(source, &[Key("motions")], motions)?;
+    for (i, way) in ways.iter().enumerate() {
+        check_way(source, i, way, worlds)?;
+    }
+    for (i, column) in columns.iter().enumerate() {
+        check_figure(source, &[Key("columns"), Item(i)], column)?;
+    }
+    for (i, plot) in plots.iter().enumerate() {
+        check_plot(source, i, plot, ways)?;
+    }
+    for (i, claim) in claims.iter().enumerate() {
+        check_claim(source, i, claim, experiment)?;
+    }
+    check_cameras(source, experiment, cameras)
+}
+
+fn check_lists(source: &Source<'_>, experiment: &Experiment) -> Checked {
+    let Experiment { worlds, cameras, ways, columns, .. } = experiment;
+    let names: Vec<&str> = ways.iter().map(|way| way.name.as_str()).collect();
+    for (key, count) in [
+        ("worlds", worlds.len()),
+        ("cameras", cameras.len()),
+        ("ways", ways.len()),
+        ("columns", columns.len()),
+    ] {
+        if count == 0 {
+            return Err(source.refusal(&[Key(key)], "wanted at least one, got an empty list"));
+        }
+    }
+    for (i, name) in names.iter().enumerate() {
+        let at = [Key("ways"), Item(i), Key("name")];
+        if name.trim().is_empty() {
+            return Err(source.refusal(&at, "wanted a name, got an empty one"));
+        }
+        if names[..i].contains(name) {
+            return Err(source.refusal(&at, format!("two ways are called `{name}`")));
+        }
+    }
+    unique(source, &[Key("worlds")], worlds)?;
+    unique(source, &[Key("cameras")], cameras)?;
+    unique(source, &[Key("columns")], columns)
+}
+
+fn unique<T: PartialEq>(source: &Source<'_>, at: &[Step<'_>], items: &[T]) -> Checked {
+    match (0..items.len()).find(|i| items[..*i].contains(&items[*i])) {
+        Some(i) => Err(source.refusal(&[at, &[Item(i)]].concat(), "it is there twice")),
+        None => Ok(()),
+    }
+}
+
+fn check_worlds(source: &Source<'_>, worlds: &[String]) -> Checked {
+    for (i, world) in worlds.iter().enumerate() {
+        let is_built_in = umbrage_scene::worlds::ALL.iter().any(|known| known.name == *world);
+        if !is_built_in && !Path::new(world).is_file() {
+            let wrong = LabError::World { name: world.clone() };
+            return Err(source.refusal(&[Key("worlds"), Item(i)], wrong));
+        }
+    }
+    Ok(())
+}
+
+fn check_numbers(source: &Source<'_>, size: [u32; 2], repeats: u32, frames: u32) -> Checked {
+    for (i, side) in size.into_iter().enumerate() {
+        if !(1..=LARGEST_PX).contains(&side) {
+            let wrong = format!("wanted from 1 to {LARGEST_PX} pixels each way, got {side}");
+            return Err(source.refusal(&[Key("size"), Item(i)], wrong));
+        }
+    }
+    if !(1..=MOST_REPEATS).contains(&repeats) {
+        let wrong = format!("wanted from 1 to {MOST_REPEATS} repeats, got {repeats}");
+        return Err(source.refusal(&[Key("repeats")], wrong));
+    }
+    if frames > MOST_FRAMES {
+        let wrong = format!("wanted from 0 to {MOST_FRAMES} frames, got {frames}");
+        return Err(source.refusal(&[Key("frames")], wrong));
+    }
+    Ok(())
+}
+
+fn check_way(source: &Source<'_>, i: usize, way: &Way, worlds: &[String]) -> Checked {
+    let Way { name: _, preset: _, set: _, sweep, reported } = way;
+    for world in reported.keys() {
+        known(source, &[Key("ways"), Item(i), Key("reported"), Key(world)], "world", world, worlds)?;
+    }
+    let Some(Sweep { key: _, values }) = sweep else {
+        return way
+            .settings_at(None)
+            .map(|_| ())
+            .map_err(|wrong| refuse_settings(source, i, way, None, &wrong));
+    };
+    let at = [Key("ways"), Item(i), Key("sweep"), Key("values")];
+    if values.is_empty() {
+        return Err(source.refusal(&at, "wanted at least one, got an empty list"));
+    }
+    for (j, value) in values.iter().enumerate() {
+        way.settings_at(Some(value)).map_err(|wrong| refuse_settings(source, i, way, Some(j), &wrong))?;
+        let falls =
+            j > 0 && number(value).zip(number(&values[j - 1])).is_some_and(|(this, last)| this <= last);
+        if falls || values[..j].contains(value) {
+            let wrong =
+                format!("wanted different values in rising order, got {value} after {}", values[j - 1]);
+            return Err(source.refusal(&[&at[..], &[Item(j)]].concat(), wrong));
+        }
+    }
+    Ok(())
+}
+
+fn number(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64))
+}
+
+/// The way's settings are wrong, or those with its `swept`-th value: finds who said so.
+fn refuse_settings(
+    source: &Source<'_>,
+    i: usize,
+    way: &Way,
+    swept: Option<usize>,
+    wrong: &WrongSettings,
+) -> LabError {
+    let way_at = [Key("ways"), Item(i)];
+    let names: Vec<Step<'_>> = wrong.key().split('.').map(Key).collect();
+    let in_set = [&way_at[..], &[Key("set")], &names].concat();
+    let reason = match wrong {
+        WrongSettings::Value { key: _, wrong } => wrong.clone(),
+        WrongSettings::Preset(_)
+        | WrongSettings::Words(_)
+        | WrongSettings::Key(_)
+        | WrongSettings::Range(_) => wrong.to_string(),
+    };
+    let inside = |outer: &str, inner: &str| inner == outer || inner.starts_with(&format!("{outer}."));
+    let sets = wrong.key().split('.').next().is_some_and(|first| way.set.contains_key(first));
+    match (wrong, &way.sweep, swept) {
+        (WrongSettings::Preset(_), ..) => source.refusal(&[&way_at[..], &[Key("preset")]].concat(), reason),
+        (_, Some(sweep), Some(j))
+            if inside(&sweep.key, wrong.key()) || inside(wrong.key(), &sweep.key) || !sets =>
+        {
+            let at = [&way_at[..], &[Key("sweep")]].concat();
+            let no_such_key = matches!(wrong, WrongSettings::Key(_)) || reason.starts_with("unknown field");
+            if no_such_key && wrong.key() == sweep.key {
+                source.refusal(&[&at[..], &[Key("key")]].concat(), reason)
+            } else {
+                source.refusal(&[&at[..], &[Key("values"), Item(j)]].concat(), reason)
+            }
+        }
+        _ => source.refusal(&in_set, reason),
+    }
+}
+
+fn check_figure(source: &Source<'_>, at: &[Step<'_>], figure: &str) -> Checked {
+    if Figure::named(figure).is_some() {
+        return Ok(());
+    }
+    let keys: Vec<_> = figures::ALL.iter().map(|figure| figure.key).collect();
+    Err(source.refusal(at, format!("no figure is called `{figure}`; there are {}", keys.join(", "))))
+}
+
+fn check_plot(source: &Source<'_>, i: usize, plot: &Plot, ways: &[Way]) -> Checked {
+    let Plot { x, y, log_x: _, pareto: _, by_world: _ } = plot;
+    let at = |key| [Key("plots"), Item(i), Key(key)];
+    if x != "sweep" {
+        check_figure(source, &at("x"), x)?;
+    } else if ways.iter().all(|way| way.sweep.is_none()) {
+        return Err(source.refusal(&at("x"), "wanted a way that sweeps, but none does"));
+    }
+    check_figure(source, &at("y"), y)
+}
+
+fn check_claim(source: &Source<'_>, i: usize, claim: &Claim, experiment: &Experiment) -> Checked {
+    let Claim { says: _, figure, way, than, times, worlds, cameras } = claim;
+    let at = |key| [Key("claims"), Item(i), Key(key)];
+    check_figure(source, &at("figure"), figure)?;
+    let names: Vec<String> = experiment.ways.iter().map(|way| way.name.clone()).collect();
+    known(source, &at("way"), "way", way, &names)?;
+    known(source, &at("than"), "way", than, &names)?;
+    if !(*times > 0.0 && times.is_finite()) {
+        return Err(source.refusal(&at("times"), format!("wanted a positive number, got {times}")));
+    }
+    for (j, world) in worlds.iter().enumerate() {
+        known(source, &[&at("worlds")[..], &[Item(j)]].concat(), "world", world, &experiment.worlds)?;
+    }
+    for (j, camera) in cameras.iter().enumerate() {
+        known(source, &[&at("cameras")[..], &[Item(j)]].concat(), "camera", camera, &experiment.cameras)?;
+    }
+    Ok(())
+}
+
+/// Whether a name is one of those that the experiment has.
+fn known(source: &Source<'_>, at: &[Step<'_>], what: &str, name: &str, names: &[String]) -> Checked {
+    if names.iter().any(|known| known == name) {
+        return Ok(());
+    }
+    let list = names.join(", ");
+    Err(source.refusal(at, format!("no {what} of this experiment is called `{name}`; there are {list}")))
+}
+
+fn check_cameras(
+    source: &Source<'_>,
+    experiment: &Experiment,
+    mut cameras: impl FnMut(&str, u64) -> Result<Vec<String>, LabError>,
+) -> Checked {
+    for (i, world) in experiment.worlds.iter().enumerate() {
+        let names =
+            cameras(world, experiment.seed).map_err(|why| source.refusal(&[Key("worlds"), Item(i)], why))?;
+        for (j, camera) in experiment.cameras.iter().enumerate() {
+            if !names.contains(camera) {
+                let list = names.join(", ");
+                let wrong = format!("the world `{world}` has no camera `{camera}`; it has {list}");
+                return Err(source.refusal(&[Key("cameras"), Item(j)], wrong));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,96 @@
+//! Where in an experiment's file a key stands, so that every refusal can name its line.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::Experiment;
+use crate::LabError;
+use crate::settings::{fault, one_line};
+
+/// An experiment's file, parsed as TOML.
+pub struct Source<'a> {
+    path: &'a Path,
+    text: &'a str,
+    root: Spanned<DeTable<'a>>,
+}
+
+/// A step down from a table or an array.
+#[derive(Clone, Copy)]
+pub enum Step<'a> {
+    Key(&'a str),
+    Item(usize),
+}
+
+impl<'a> Source<'a> {
+    /// Parses the text of the file at `path`.
+    pub fn new(path: &'a Path, text: &'a str) -> Result<Self, LabError> {
+        let root = DeTable::parse(text).map_err(|why| {
+            let line = line(text, why.span().map_or(0, |span| span.start));
+            refused(path, line, key_on(text, line), why.message())
+        })?;
+        Ok(Self { path, text, root })
+    }
+
+    /// The experiment that it holds, of which only the shape is checked.
+    pub fn experiment(&self) -> Result<Experiment, LabError> {
+        toml::from_str(self.text).map_err(|why: toml::de::Error| {
+            let line = line(self.text, why.span().map_or(0, |span| span.start));
+            let (key, wrong) = fault(why);
+            refused(self.path, line, key, wrong)
+        })
+    }
+
+    /// Why the value at some place is refused. A key that is left out stands where its table begins.
+    pub fn refusal(&self, at: &[Step<'_>], wrong: impl Display) -> LabError {
+        let keys = at.iter().filter_map(|step| match step {
+            Step::Key(key) => Some(*key),
+            Step::Item(_) => None,
+        });
+        let key = keys.collect::<Vec<_>>().join(".");
+        refused(self.path, line(self.text, self.start(at)), key, wrong)
+    }
+
+    /// The byte that the deepest step begins at which the file has.
+    fn start(&self, at: &[Step<'_>]) -> usize {
+        let root = self.root.get_ref();
+        let (mut start, mut table, mut array) = (self.root.span().start, Some(root), None);
+        for step in at {
+            let value = match (step, table, array) {
+                (Step::Key(key), Some(table), _) => {
+                    let Some((key, value)) = DeTable::get_key_value(table, *key) else { break };
+                    start = key.span().start;
+                    value
+                }
+                (Step::Item(i), _, Some(array)) => {
+                    let Some(value) = <[Spanned<DeValue<'_>>]>::get(array, *i) else { break };
+                    start = value.span().start;
+                    value
+                }
+                _ => break,
+            };
+            (table, array) = (value.get_ref().as_table(), value.get_ref().as_array().map(|array| &array[..]));
+        }
+        start
+    }
+}
+
+fn refused(path: &Path, line: usize, key: String, wrong: impl Display) -> LabError {
+    LabError::Experiment { line, key: one_line(key), wrong: one_line(wrong), path: path.to_owned() }
+}
+
+/// The line of a byte, from 1. The end of the text is on its last line.
+fn line(text: &str, byte: usize) -> usize {
+    let before = &text.as_bytes()[..byte.min(text.len().saturating_sub(1))];
+    before.iter().filter(|byte| **byte == b'\n').count() + 1
+}
+
+/// What stands for a key where the text is no TOML: the beginning of the last line, up to this one, that has any.
+fn key_on(text: &str, line: usize) -> String {
+    let lines: Vec<&str> = text.lines().take(line).collect();
+    let last = lines.iter().rev().map(|line| line.trim()).find(|line| !line.is_empty()).unwrap_or_default();
+    let key = last.split('=').next().unwrap_or_default().trim();
+    key.chars().take(40).collect()
+}

@@ -1,0 +1,188 @@
+//! The figures that tables, plots and claims can name: what each is called, and how it is written.
+
+use serde_json::Value;
+use umbrage_judge::statistics::Spread;
+
+use crate::{Measurement, Milliseconds};
+
+/// How a figure is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A share, as per cent.
+    Percent,
+    /// Pixels.
+    Pixels,
+    /// Milliseconds.
+    Milliseconds,
+    /// Bytes, as MiB.
+    Bytes,
+    /// A count.
+    Count,
+    /// A plain number.
+    Plain,
+}
+
+/// A figure of a [`Measurement`].
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// Its place in the JSON of a measurement, levels parted by dots.
+    pub key: &'static str,
+    /// What tables and axes call it.
+    pub label: &'static str,
+    /// How it is written.
+    pub format: Format,
+}
+
+/// Every figure there is.
+pub const ALL: &[Figure] = &[
+    figure("error.mis_shadowed", "mis-shadowed", Format::Percent),
+    figure("error.false_shadow", "false shadow", Format::Percent),
+    figure("error.false_light", "false light", Format::Percent),
+    figure("error.rmse", "RMSE", Format::Plain),
+    figure("error.mae", "mean error", Format::Plain),
+    figure("error.bias", "bias", Format::Plain),
+    figure("error.edge_displacement_px", "edge displacement", Format::Pixels),
+    figure("error.hausdorff_95_px", "Hausdorff 95 %", Format::Pixels),
+    figure("error.causes.edge", "edge", Format::Percent),
+    figure("error.causes.acne", "acne", Format::Percent),
+    figure("error.causes.detach", "detached", Format::Percent),
+    figure("error.causes.leak", "leak", Format::Percent),
+    figure("error.causes.range", "out of range", Format::Percent),
+    figure("error.causes.other", "other", Format::Percent),
+    figure("flip", "FLIP", Format::Plain),
+    figure("texels", "texels", Format::Count),
+    figure("bytes", "memory", Format::Bytes),
+    figure("milliseconds.plan.median", "plan", Format::Milliseconds),
+    figure("milliseconds.casters.median", "casters", Format::Milliseconds),
+    figure("milliseconds.shade.median", "shading", Format::Milliseconds),
+    figure("milliseconds.frame.median", "frame time", Format::Milliseconds),
+    figure("flicker.flips", "flips", Format::Count),
+    figure("flicker.flips_between_maps", "flips between maps", Format::Count),
+    figure("flicker.flip_rate", "flip rate", Format::Percent),
+    figure("flicker.flip_rate_within_maps", "flip rate within maps", Format::Percent),
+    figure("flicker.shimmer", "shimmer", Format::Plain),
+    figure("flicker.pop", "largest pop", Format::Plain),
+    figure("truth.pixels", "judged pixels", Format::Count),
+    figure("truth.ambiguous", "ambiguous pixels", Format::Count),
+    figure("truth.edge_px", "edge length", Format::Pixels),
+    figure("jump", "jump across cuts", Format::Plain),
+];
+
+const fn figure(key: &'static str, label: &'static str, format: Format) -> Figure {
+    Figure { key, label, format }
+}
+
+impl Figure {
+    /// The figure with a key.
+    pub fn named(key: &str) -> Option<&'static Self> {
+        ALL.iter().find(|figure| figure.key == key)
+    }
+
+    /// Its value in a measurement; `None` where that has none.
+    pub fn of(&self, measurement: &Measurement) -> Option<f64> {
+        values(measurement).into_iter().find(|(figure, _)| figure.key == self.key).map(|(_, value)| value)
+    }
+
+    /// The spread over all timed frames, of a figure that is timed; `None` of others, and where nothing was timed.
+    pub fn spread_of(&self, measurement: &Measurement) -> Option<Spread> {
+        let Milliseconds { plan, casters, shade, frame } = measurement.milliseconds?;
+        match self.key {
+            "milliseconds.plan.median" => Some(plan),
+            "milliseconds.casters.median" => Some(casters),
+            "milliseconds.shade.median" => Some(shade),
+            "milliseconds.frame.median" => Some(frame),
+            _ => None,
+        }
+    }
+
+    /// Whether it needs pixels that are judged.
+    pub fn is_of_judged_pixels(&self) -> bool {
+        self.key.starts_with("error.") || matches!(self.key, "flip" | "jump")
+    }
+
+    /// Whether less of it is better. Not so of what describes the world, and of what is best in the middle.
+    pub fn is_better_lower(&self) -> bool {
+        !self.key.starts_with("truth.") && !matches!(self.key, "error.bias" | "jump")
+    }
+
+    /// Its label with its unit, as columns and axes are headed.
+    pub fn heading(&self) -> String {
+        match self.format.unit() {
+            "" => self.label.to_owned(),
+            unit => format!("{}, {unit}", self.label),
+        }
+    }
+
+    /// A value as it is written, with its unit.
+    pub fn text(&self, value: f64) -> String {
+        let number = self.format.number(value);
+        match self.format.unit() {
+            "" => number,
+            unit => format!("{number} {unit}"),
+        }
+    }
+}
+
+impl Format {
+    /// The unit it is written in; empty where there is none.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Percent => "%",
+            Self::Pixels => "px",
+            Self::Milliseconds => "ms",
+            Self::Bytes => "MiB",
+            Self::Count | Self::Plain => "",
+        }
+    }
+
+    /// A value in that unit.
+    pub fn in_unit(self, value: f64) -> f64 {
+        match self {
+            Self::Percent => 100.0 * value,
+            Self::Bytes => value / f64::from(1 << 20),
+            Self::Pixels | Self::Milliseconds | Self::Count | Self::Plain => value,
+        }
+    }
+
+    /// A value in that unit, as it is written.
+    pub fn number(self, value: f64) -> String {
+        let decimals: usize = match self {
+            Self::Percent | Self::Pixels => 3,
+            Self::Milliseconds | Self::Bytes => 2,
+            Self::Count => 0,
+            Self::Plain => 4,
+        };
+        let number = format!("{:.decimals$}", self.in_unit(value));
+        let is_zero = number.trim_start_matches('-').bytes().all(|byte| matches!(byte, b'0' | b'.'));
+        if is_zero { number.trim_start_matches('-').to_owned() } else { number }
+    }
+}
+
+/// Every figure that a measurement has, in the order of [`ALL`]. All are finite.
+pub fn values(measurement: &Measurement) -> Vec<(&'static Figure, f64)> {
+    let json = serde_json::to_value(measurement).unwrap_or_default();
+    let value = |figure: &Figure| match figure.key {
+        "jump" => jump(measurement),
+        // Nothing was looked at: its zeros say nothing.
+        key if key.starts_with("flicker.") && measurement.flicker.is_none_or(|f| f.pairs == 0) => None,
+        key => json.pointer(&format!("/{}", key.replace('.', "/"))).and_then(Value::as_f64),
+    };
+    ALL.iter().filter_map(|figure| Some((figure, value(figure).filter(|v| v.is_finite())?))).collect()
+}
+
+/// How many times farther edges are displaced on one side of a cut than on the other, whichever it is: the geometric mean
+/// over the cuts that have edges on both sides. 1 is no jump; far from it, the cut shows. Where views are selected by map,
+/// texels change elsewhere than at the cuts, and there is no such figure.
+fn jump(measurement: &Measurement) -> Option<f64> {
+    if measurement.settings.select == umbrage::Select::Map {
+        return None;
+    }
+    let displaced = |band: &umbrage_judge::DepthBand| band.edge_displacement_px.filter(|px| *px > 0.0);
+    let logarithms: Vec<f64> = measurement
+        .around_cuts
+        .iter()
+        .filter_map(|[before, after]| Some((displaced(before)? / displaced(after)?).ln().abs()))
+        .collect();
+    let mean = logarithms.iter().sum::<f64>() / logarithms.len() as f64;
+    (!logarithms.is_empty()).then(|| mean.exp())
+}

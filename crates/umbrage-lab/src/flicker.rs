@@ -1,0 +1,175 @@
+//! Measures how unsteady shadows are: the visibility of fixed points of the world along a path, frame by frame.
+//!
+//! Every point asks the shadow maps themselves, through the same lookup as the shaders' ([`umbrage::Lookup`]), so that
+//! the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
+//! points that something hides are not, for the maps answer for them all the same.
+
+use glam::{Mat4, Quat, Vec3};
+use rayon::prelude::*;
+use umbrage::Settings;
+use umbrage_judge::temporal::{Anchor, Flicker, Seen, anchors, visibility};
+use umbrage_judge::{Eye, Sun};
+use umbrage_render::{Frame, Show};
+use umbrage_scene::{Camera, Instance};
+
+use crate::cell::Motion;
+use crate::error::LabError;
+use crate::laboratory::{Laboratory, Shot};
+
+/// How long a path is, and how many points are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Watch {
+    /// Frames of the path.
+    pub frames: usize,
+    /// Points of the world.
+    pub points: usize,
+}
+
+impl Default for Watch {
+    fn default() -> Self {
+        Self { frames: 240, points: 20_000 }
+    }
+}
+
+/// Frames a second, for things that move.
+const FRAMES_PER_SECOND: f32 = 60.0;
+
+impl Laboratory<'_> {
+    /// Draws the maps of every frame of a path that starts at a shot, and watches points of the world in them.
+    ///
+    /// # Errors
+    /// As [`Laboratory::judge`]; and where the device cannot copy depth (GL).
+    pub fn flicker(
+        &mut self,
+        shot: &Shot,
+        settings: &Settings,
+        motion: Motion,
+        watch: Watch,
+    ) -> Result<Flicker, LabError> {
+        self.use_settings(settings)?;
+        let finest = self.finest_texel(shot)?;
+        let shots: Vec<Shot> = (0..watch.frames).map(|i| moved(shot, motion, i as f32, finest)).collect();
+        let eyes: Vec<Eye> =
+            shots.iter().map(|shot| Eye::new(&shot.camera, shot.width, shot.height)).collect();
+        let sun = Sun::along(shot.sun);
+        if motion == Motion::Objects && !self.scene().instances.iter().any(Instance::is_dynamic) {
+            let (what, world) = ("moving things".to_owned(), self.scene().name.clone());
+            return Err(LabError::Missing { what, world });
+        }
+        let world = self.world_at(shot.seconds);
+        // Where the camera begins, is half-way, and ends.
+        let thirds = [0, watch.frames / 2, watch.frames.saturating_sub(1)];
+        let from: Vec<Eye> = thirds.into_iter().filter_map(|i| eyes.get(i).copied()).collect();
+        let anchors = anchors(&world, &from, &sun, watch.points, |triangle| world.is_still(triangle));
+        let (mut claim, mut truth): (Vec<_>, Vec<Vec<f32>>) = (Vec::new(), Vec::new());
+        for (shot, eye) in shots.iter().zip(&eyes) {
+            claim.push(self.claimed(shot, settings, eye, &anchors)?);
+            let is_same = !matches!(motion, Motion::Sun | Motion::Objects);
+            let known = truth.last().filter(|_| is_same).cloned();
+            truth.push(known.unwrap_or_else(|| {
+                visibility(&self.world_at(shot.seconds), &Sun::along(shot.sun), &anchors)
+            }));
+        }
+        Ok(Flicker::new(&claim, &truth))
+    }
+
+    /// What the maps of a frame say of points.
+    fn claimed(
+        &mut self,
+        shot: &Shot,
+        settings: &Settings,
+        eye: &Eye,
+        anchors: &[Anchor],
+    ) -> Result<Vec<Seen>, LabError> {
+        let plan = self.renderer().render(&maps_only(shot)?)?.plan;
+        let maps = self.renderer().maps()?;
+        let lookup = umbrage::Lookup { plan: &plan, settings, maps: &maps };
+        let claim = |anchor: &Anchor| {
+            let (position, normal) = (anchor.position.as_vec3(), anchor.normal.as_vec3());
+            let view = umbrage::view_of(&plan, settings, 0, position, normal);
+            Seen {
+                visibility: match eye.project(anchor.position) {
+                    Some(_) => lookup.visibility(0, position, normal),
+                    None => f32::NAN,
+                },
+                map: view.map_or(usize::MAX, |view| view.index),
+            }
+        };
+        Ok(anchors.par_iter().map(claim).collect())
+    }
+
+    /// The size of the finest view's texels, metres.
+    fn finest_texel(&mut self, shot: &Shot) -> Result<f32, LabError> {
+        let plan = self.renderer().render(&maps_only(shot)?)?.plan;
+        Ok(plan.views().iter().map(|view| view.texel_metres).fold(f32::INFINITY, f32::min))
+    }
+}
+
+/// A frame with the maps of a shot, and a picture as small as can be.
+fn maps_only(shot: &Shot) -> Result<Frame, LabError> {
+    Ok(Frame { width: 1, height: 1, ..shot.frame(Show::Visibility)? })
+}
+
+/// The shot as it is in a frame of a path.
+fn moved(shot: &Shot, motion: Motion, frame: f32, finest_texel: f32) -> Shot {
+    let still = shot.clone();
+    let camera =
+        |aside: Vec3, yaw_degrees: f32| Shot { camera: carried(&shot.camera, aside, yaw_degrees), ..still };
+    match motion {
+        Motion::Translate => camera(Vec3::X * (0.05 * frame), 0.0),
+        Motion::Yaw => camera(Vec3::ZERO, 0.25 * frame),
+        // Two steps a second, a few centimetres up and down.
+        Motion::Walk => camera(Vec3::new(0.0, 0.03 * (frame * 0.2).sin(), -0.05 * frame), 0.25 * frame),
+        Motion::Fast => camera(Vec3::NEG_Z * frame, 0.0),
+        Motion::SubTexel => camera(Vec3::X * (finest_texel / 16.0 * frame), 0.0),
+        Motion::Sun => {
+            // About an axis across the light, so that it moves by the whole angle.
+            let axis = shot.sun.normalize_or(Vec3::NEG_Y).any_orthonormal_vector();
+            Shot { sun: Quat::from_axis_angle(axis, (0.02 * frame).to_radians()) * shot.sun, ..still }
+        }
+        Motion::Objects => Shot { seconds: shot.seconds + frame / FRAMES_PER_SECOND, ..still },
+    }
+}
+
+/// A camera moved along its own axes, but level where it goes ahead, and turned about the vertical.
+fn carried(camera: &Camera, aside: Vec3, yaw_degrees: f32) -> Camera {
+    let level = |axis: Vec3| Vec3::new(axis.x, 0.0, axis.z).normalize_or(Vec3::X);
+    let right = level(camera.world_from_camera.x_axis.truncate());
+    let back = right.cross(Vec3::Y);
+    let eye = camera.eye() + right * aside.x + Vec3::Y * aside.y + back * aside.z;
+    let turn = Mat4::from_rotation_y(yaw_degrees.to_radians());
+    let mut moved = camera.clone();
+    moved.world_from_camera = turn * camera.world_from_camera;
+    moved.world_from_camera.w_axis = eye.extend(1.0);
+    moved
+}
+
+#[cfg(test)]
+mod tests {
+    use umbrage_scene::Lens;
+
+    use super::*;
+
+    #[test]
+    fn paths_go_where_they_say() {
+        let camera = Camera {
+            lens: Lens::Perspective { fov_y: 1.0 },
+            ..Camera::looking("c", Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 1.0, -10.0), 1.0, 0.1, 100.0)
+        };
+        let shot =
+            Shot { camera, sun: Vec3::NEG_Y, sun_colour: Vec3::ONE, seconds: 0.0, width: 16, height: 9 };
+        let eye = |motion| moved(&shot, motion, 100.0, 0.16).camera.eye();
+        let near = |a: Vec3, b: Vec3| assert!(a.distance(b) < 1e-3, "{a}, not {b}");
+        near(eye(Motion::Translate), Vec3::new(5.0, 2.0, 0.0));
+        near(eye(Motion::SubTexel), Vec3::new(1.0, 2.0, 0.0));
+        near(eye(Motion::Fast), Vec3::new(0.0, 2.0, -100.0));
+        near(eye(Motion::Yaw), Vec3::new(0.0, 2.0, 0.0));
+        let forward = moved(&shot, Motion::Yaw, 360.0, 0.1).camera.forward();
+        assert!(forward.x < -0.99, "a quarter turn to the left, forward is {forward}");
+        for from in [Vec3::NEG_Y, Vec3::NEG_Z, Vec3::new(0.3, -0.8, 0.4)] {
+            let sun = moved(&Shot { sun: from, ..shot.clone() }, Motion::Sun, 100.0, 0.1).sun;
+            assert!((sun.angle_between(from).to_degrees() - 2.0).abs() < 1e-2, "{from} became {sun}");
+        }
+        assert!(moved(&shot, Motion::Objects, 60.0, 0.1).seconds == 1.0, "a second");
+    }
+}

@@ -1,0 +1,87 @@
+//! Measures a cell of an experiment.
+
+use std::io::Cursor;
+
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder as _};
+use umbrage_render::{Gpu, Picture};
+use umbrage_scene::{LightKind, Scene};
+
+use crate::cell::Cell;
+use crate::error::LabError;
+use crate::flicker::Watch;
+use crate::laboratory::{Laboratory, Shot, TruthKind};
+use crate::measurement::{Machine, Outcome, Pictures};
+
+impl Machine {
+    /// This one.
+    pub fn here(gpu: &Gpu) -> Self {
+        Self {
+            adapter: gpu.adapter.to_string(),
+            timestamps: gpu.adapter.timestamps,
+            system: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
+            cores: std::thread::available_parallelism().map_or(1, usize::from),
+            commit: env!("UMBRAGE_COMMIT").to_owned(),
+        }
+    }
+}
+
+impl Laboratory<'_> {
+    /// What a cell comes to. Its world must be this laboratory's.
+    ///
+    /// # Errors
+    /// As [`Laboratory::judge`]; and where the world has no such camera or no sun.
+    pub fn measure(&mut self, cell: &Cell) -> Result<Outcome, LabError> {
+        let shot = shot(self.scene(), cell)?;
+        let mut judged = self.judge(&shot, &cell.settings, TruthKind::Hard, cell.frames)?;
+        if let Some(motion) = cell.motion {
+            judged.measurement.flicker =
+                Some(self.flicker(&shot, &cell.settings, motion, Watch::default())?);
+        }
+        let pictures = cell.pictures.then(|| Pictures::of(&judged.shaded, &judged.heat_map)).transpose()?;
+        Ok(Outcome { machine: Machine::here(self.gpu()), measurement: judged.measurement, pictures })
+    }
+}
+
+/// The picture that a cell wants taken.
+fn shot(scene: &Scene, cell: &Cell) -> Result<Shot, LabError> {
+    let Cell { camera, repeat, size: [width, height], .. } = cell;
+    let missing = |what: String| LabError::Missing { what, world: scene.name.clone() };
+    let named = scene.cameras.iter().find(|it| it.name == *camera);
+    let camera = named.ok_or_else(|| missing(format!("camera called `{camera}`")))?;
+    let sun = scene.lights.iter().find(|light| light.kind == LightKind::Directional);
+    let sun = sun.ok_or_else(|| missing("directional light".to_owned()))?;
+    Ok(Shot {
+        camera: umbrage_judge::jittered(camera, *repeat),
+        sun: sun.direction(),
+        sun_colour: sun.colour,
+        seconds: 0.0,
+        width: *width,
+        height: *height,
+    })
+}
+
+impl Pictures {
+    /// Encodes a shaded picture and its heat map.
+    fn of(shaded: &Picture, heat_map: &Picture) -> Result<Self, LabError> {
+        /// Good enough to judge shadows by, and a tenth of a PNG's size.
+        const JPEG_QUALITY: u8 = 88;
+        let mut jpeg = Cursor::new(Vec::new());
+        let rgb: Vec<u8> = shaded.rgba.as_chunks::<4>().0.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
+        JpegEncoder::new_with_quality(&mut jpeg, JPEG_QUALITY).write_image(
+            &rgb,
+            shaded.width,
+            shaded.height,
+            ExtendedColorType::Rgb8,
+        )?;
+        let mut png = Cursor::new(Vec::new());
+        PngEncoder::new(&mut png).write_image(
+            &heat_map.rgba,
+            heat_map.width,
+            heat_map.height,
+            ExtendedColorType::Rgba8,
+        )?;
+        Ok(Self { shaded: jpeg.into_inner(), error: png.into_inner() })
+    }
+}

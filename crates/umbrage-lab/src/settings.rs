@@ -1,0 +1,209 @@
+//! Settings from a preset and tables over it: the same for the command line and for experiments.
+
+use toml::{Table, Value};
+use umbrage::{PRESETS, Preset, Settings, SettingsError};
+
+/// No setting lies deeper than `filter.size`; a little more, so that the error can say which key it does not know.
+const DEEPEST: usize = 4;
+
+/// What is wrong with settings, in one line that names the key.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum WrongSettings {
+    /// There is no such preset.
+    #[error("no preset is called `{0}`; there are {list}", list = presets())]
+    Preset(String),
+    /// Words without a value.
+    #[error("`{0}` should be key=value, as splits=3")]
+    Words(String),
+    /// A key whose names cannot be those of a setting.
+    #[error("`{0}` should be a key, as lambda or filter.size: it has an empty key, or too many")]
+    Key(String),
+    /// A key that does not exist, or a value of another kind.
+    #[error("settings, `{key}`: {wrong}")]
+    Value {
+        /// The setting, levels parted by dots.
+        key: String,
+        /// What is wrong with it, and what would be right.
+        wrong: String,
+    },
+    /// A value outside its range.
+    #[error(transparent)]
+    Range(#[from] SettingsError),
+}
+
+impl WrongSettings {
+    /// The setting at fault, levels parted by dots; empty where it is none in particular.
+    pub fn key(&self) -> &str {
+        match self {
+            Self::Preset(_) | Self::Words(_) => "",
+            Self::Key(key) | Self::Value { key, .. } => key,
+            Self::Range(SettingsError::OutOfRange { key, .. }) => key,
+            Self::Range(SettingsError::Manual { .. }) => "manual",
+            Self::Range(_) => "",
+        }
+    }
+}
+
+fn presets() -> String {
+    PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ")
+}
+
+/// A preset's settings, as a table to lay others over.
+///
+/// # Errors
+/// When there is no such preset.
+pub fn preset(name: &str) -> Result<Table, WrongSettings> {
+    let preset = Preset::named(name).ok_or_else(|| WrongSettings::Preset(name.to_owned()))?;
+    Table::try_from((preset.settings)())
+        .map_err(|why| WrongSettings::Value { key: name.to_owned(), wrong: one_line(why) })
+}
+
+/// `a.b=value` as a table. A value that is not TOML is a word.
+///
+/// # Errors
+/// When there is no `=`, or what is before it is no key.
+pub fn from_words(words: &str) -> Result<Table, WrongSettings> {
+    let (key, value) = words.split_once('=').ok_or_else(|| WrongSettings::Words(words.to_owned()))?;
+    let value = value.trim();
+    let parsed = format!("value = {value}").parse::<Table>().ok().and_then(|mut table| table.remove("value"));
+    from_key(key.trim(), parsed.unwrap_or_else(|| Value::String(value.to_owned())))
+}
+
+/// A value under the key `a.b`, as a table.
+///
+/// # Errors
+/// When the key has an empty name in it, or more names than a setting has.
+pub fn from_key(key: &str, mut value: Value) -> Result<Table, WrongSettings> {
+    let names: Vec<&str> = key.split('.').take(DEEPEST + 1).collect();
+    let (Some((first, inner)), true) = (names.split_first(), names.len() <= DEEPEST) else {
+        return Err(WrongSettings::Key(key.to_owned()));
+    };
+    if names.iter().any(|name| name.is_empty()) {
+        return Err(WrongSettings::Key(key.to_owned()));
+    }
+    for name in inner.iter().rev() {
+        value = Value::Table(Table::from_iter([((*name).to_owned(), value)]));
+    }
+    Ok(Table::from_iter([((*first).to_owned(), value)]))
+}
+
+/// Lays `over` onto `table`. Tables are merged, but one with another `kind` replaces what was there.
+pub fn overlay(table: &mut Table, over: Table) {
+    for (key, value) in over {
+        match (table.get_mut(&key), value) {
+            (Some(Value::Table(old)), Value::Table(new)) => {
+                if new.get("kind").is_some_and(|kind| old.get("kind") != Some(kind)) {
+                    *old = new;
+                } else {
+                    overlay(old, new);
+                }
+            }
+            (_, value) => {
+                table.insert(key, value);
+            }
+        }
+    }
+}
+
+/// The settings that a table holds, checked.
+///
+/// # Errors
+/// The first key that is unknown or whose value is of another kind or out of range.
+pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
+    let settings: Settings = table.try_into().map_err(|why: toml::de::Error| {
+        let (key, wrong) = fault(why);
+        WrongSettings::Value { key, wrong }
+    })?;
+    settings.validate()?;
+    // Other schemes do not look at them, but no result with such a number can be stored.
+    if !settings.manual.iter().all(|distance| distance.is_finite()) {
+        let wrong = format!("wanted finite distances in metres, got {:?}", settings.manual);
+        return Err(WrongSettings::Value { key: "manual".to_owned(), wrong });
+    }
+    Ok(settings)
+}
+
+/// The key at fault, levels parted by dots, and what is wrong with it.
+pub(crate) fn fault(mut error: toml::de::Error) -> (String, String) {
+    // Without its input, the error's last line is "in `a.b`": the only way to ask where it was.
+    error.set_input(None);
+    let wrong = error.message().to_owned();
+    let text = error.to_string();
+    let place =
+        text.strip_prefix(&wrong).and_then(|rest| rest.trim().strip_prefix("in `")?.strip_suffix('`'));
+    let named = ["unknown field `", "missing field `"].iter().find_map(|start| wrong.strip_prefix(start));
+    let field = named.and_then(|rest| rest.split_once('`')).map(|(field, _)| field);
+    let names: Vec<&str> = place.into_iter().chain(field).collect();
+    (names.join("."), one_line(wrong))
+}
+
+/// A text without line breaks and other control characters.
+pub(crate) fn one_line(text: impl ToString) -> String {
+    text.to_string().trim_end().replace(|c: char| c.is_control(), " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use umbrage::{Filter, Fit};
+
+    use super::*;
+
+    fn with(name: &str, set: &[&str]) -> Result<Settings, WrongSettings> {
+        let mut table = preset(name)?;
+        for words in set {
+            overlay(&mut table, from_words(words)?);
+        }
+        checked(table)
+    }
+
+    #[test]
+    fn single_keys_go_over_the_preset() {
+        let set =
+            ["splits=5", "lambda=0.75", "fit=stable", "filter.kind=pcf", "filter.size=7", "bias.normal=2"];
+        let settings = with("ferko-pssm-3x512", &set).unwrap();
+        assert_eq!((settings.splits, settings.lambda, settings.fit), (5, 0.75, Fit::Stable));
+        assert_eq!((settings.filter, settings.resolution), (Filter::Pcf { size: 7 }, 512));
+        assert_eq!(settings.bias.normal, 2.0);
+    }
+
+    #[test]
+    fn another_kind_of_filter_forgets_the_old_ones_numbers() {
+        let settings = with("default", &["filter.kind=pcf", "filter.size=7", "filter.kind=hard"]).unwrap();
+        assert_eq!(settings.filter, Filter::Hard {});
+    }
+
+    #[test]
+    fn wrong_words_are_named_on_one_line() {
+        for (set, key, wanted) in [
+            ("splitz=3", "splitz", "unknown field"),
+            ("splits=0", "splits", "`splits` must be from 1 to 9, got 0"),
+            ("splits=three", "splits", "invalid type"),
+            ("lambda=nan", "lambda", "from 0 to 1"),
+            ("filter.kind=blur", "filter.kind", "blur"),
+            ("filter.kind=pcf", "filter.size", "missing field"),
+            ("filter.size=3", "filter.size", "unknown field"),
+            ("bias.normale=3", "bias.normale", "unknown field"),
+            ("manual=[1.0, inf]", "manual", "finite"),
+            ("scheme=manual", "manual", "rising"),
+            ("splits", "", "key=value"),
+            (".=3", ".", "empty key"),
+            ("a.b.c.d.e=3", "a.b.c.d.e", "too many"),
+            ("resolution=100000", "resolution", "`resolution` must be from 16 to 16384 texels"),
+            ("fit=\"a\\nb\"", "fit", "a b"),
+        ] {
+            let wrong = with("default", &[set]).expect_err(set);
+            let text = wrong.to_string();
+            assert!(text.contains(wanted) && !text.contains('\n'), "{set}: {text}");
+            assert_eq!(wrong.key(), key, "{set}: {text}");
+        }
+        let text = with("bevie", &[]).expect_err("no such preset").to_string();
+        assert!(text.contains("bevie") && text.contains("ferko-sm-1024"), "names presets: {text}");
+    }
+
+    #[test]
+    fn a_key_of_a_hundred_thousand_names_is_refused() {
+        let words = format!("{}=1", "a.".repeat(100_000));
+        assert!(matches!(from_words(&words), Err(WrongSettings::Key(_))));
+    }
+}

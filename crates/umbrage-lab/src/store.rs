@@ -1,0 +1,127 @@
+//! Results that are kept, so that nothing is measured twice.
+//!
+//! A result lies in `cells/<hash>.json` below the store's folder, its pictures beside it; the hash is that of the cell,
+//! so of all inputs. Each result carries a checksum of itself and of its pictures: what was cut off, changed or
+//! confused with another is as if it were not there, and is made again.
+//!
+//! This file does not: remove what is no longer asked for, or lock out a second program. Two that write the same
+//! result write the same file, each as a whole.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::ser::Error as _;
+use serde::{Deserialize, Serialize};
+
+use crate::files::{self, hash};
+use crate::{Cell, LabError, Machine, Measurement, Outcome, Pictures};
+
+/// A folder of results.
+#[derive(Clone, Debug)]
+pub struct Store {
+    cells: PathBuf,
+}
+
+/// What a result's file holds.
+#[derive(PartialEq, Serialize, Deserialize)]
+struct Stored {
+    cell: Cell,
+    machine: Machine,
+    measurement: Measurement,
+    pictures: Option<PictureHashes>,
+}
+
+#[derive(PartialEq, Serialize, Deserialize)]
+struct PictureHashes {
+    shaded: String,
+    error: String,
+}
+
+impl Store {
+    /// The store in a folder, which is made where it is not there.
+    ///
+    /// # Errors
+    /// When the folder cannot be made or written to, so that this is known before anything is measured.
+    pub fn open(folder: &Path) -> Result<Self, LabError> {
+        make_folder(folder)?;
+        let cells = folder.join("cells");
+        files::check_writable(if cells.exists() { &cells } else { folder })?;
+        Ok(Self { cells })
+    }
+
+    /// A cell's result; `None` where there is none, or it is not as it was when it was put there.
+    pub fn get(&self, cell: &Cell) -> Option<Outcome> {
+        let key = key(cell).ok()?;
+        let text = fs::read_to_string(self.path(&key, "json")).ok()?;
+        let Stored { cell: stored, machine, measurement, pictures } =
+            serde_json::from_str(opened(&text)?).ok()?;
+        if stored != *cell {
+            return None;
+        }
+        let picture = |extension: &str, wanted: &str| {
+            fs::read(self.path(&key, extension)).ok().filter(|bytes| hash(bytes) == wanted)
+        };
+        let pictures = match pictures {
+            None => None,
+            Some(PictureHashes { shaded, error }) => {
+                Some(Pictures { shaded: picture("jpg", &shaded)?, error: picture("png", &error)? })
+            }
+        };
+        Some(Outcome { machine, measurement, pictures })
+    }
+
+    /// Keeps a cell's result. Pictures come first: a result counts when its JSON is there.
+    ///
+    /// # Errors
+    /// When a file cannot be written, or the result holds a number that JSON cannot: NaN or infinity.
+    pub fn put(&self, cell: &Cell, outcome: &Outcome) -> Result<(), LabError> {
+        let Outcome { machine, measurement, pictures } = outcome;
+        let key = key(cell)?;
+        let stored = Stored {
+            cell: cell.clone(),
+            machine: machine.clone(),
+            measurement: measurement.clone(),
+            pictures: pictures
+                .as_ref()
+                .map(|Pictures { shaded, error }| PictureHashes { shaded: hash(shaded), error: hash(error) }),
+        };
+        let body = serde_json::to_string(&stored)?;
+        // JSON turns numbers that are not finite into null; such a result would be made again and again.
+        if !serde_json::from_str::<Stored>(&body).is_ok_and(|read| read == stored) {
+            let why = "it holds a number that is not finite";
+            return Err(LabError::Json(serde_json::Error::custom(why)));
+        }
+        make_folder(&self.cells)?;
+        if let Some(Pictures { shaded, error }) = pictures {
+            files::write(&self.path(&key, "jpg"), shaded)?;
+            files::write(&self.path(&key, "png"), error)?;
+        }
+        files::write(&self.path(&key, "json"), sealed(&body).as_bytes())
+    }
+
+    fn path(&self, key: &str, extension: &str) -> PathBuf {
+        self.cells.join(format!("{key}.{extension}"))
+    }
+}
+
+/// The hash of all that a cell holds. Fields are written in the order they are declared in, and there are no maps.
+fn key(cell: &Cell) -> Result<String, LabError> {
+    Ok(hash(serde_json::to_string(cell)?.as_bytes()))
+}
+
+fn make_folder(folder: &Path) -> Result<(), LabError> {
+    let failed = |source| LabError::File { action: "write", path: folder.to_owned(), source };
+    fs::create_dir_all(folder).map_err(failed)
+}
+
+/// A result with its checksum before it. The checksum is of the very bytes, so that it holds for all of them.
+fn sealed(body: &str) -> String {
+    format!("{{\"sha256\":\"{}\",\"result\":{body}}}\n", hash(body.as_bytes()))
+}
+
+/// The result in a sealed text; `None` where the seal is broken.
+fn opened(text: &str) -> Option<&str> {
+    let (checksum, rest) = text.strip_prefix("{\"sha256\":\"")?.split_once('"')?;
+    let body = rest.strip_prefix(",\"result\":")?.strip_suffix("}\n")?;
+    (hash(body.as_bytes()) == checksum).then_some(body)
+}

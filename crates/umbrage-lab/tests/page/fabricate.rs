@@ -1,0 +1,266 @@
+//! An experiment as a user might write it, and rows that no GPU has drawn: their figures follow simple formulas.
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+use image::{DynamicImage, ImageFormat, RgbImage, RgbaImage};
+use umbrage::Settings;
+use umbrage_judge::statistics::Spread;
+use umbrage_judge::{Causes, Error};
+use umbrage_lab::heat::{Wrongness, heat_map};
+use umbrage_lab::{
+    Cell, Claim, Experiment, Machine, Measurement, Milliseconds, Outcome, Pictures, Plot, Row, Sweep,
+    TruthCounts, Way,
+};
+
+/// Four ways, one of which sweeps λ.
+pub fn experiment() -> Experiment {
+    let way = |name: &str, reported: &[(&str, &str)]| Way {
+        name: name.to_owned(),
+        preset: "default".to_owned(),
+        set: toml::Table::new(),
+        sweep: None,
+        reported: reported.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect(),
+    };
+    let lambda = Sweep {
+        key: "lambda".to_owned(),
+        values: (0..9).map(|i| toml::Value::Float(f64::from(i) / 8.0)).collect(),
+    };
+    Experiment {
+        title: "Parallel-split shadow maps against one map".to_owned(),
+        source: "Zhang, Sun, Xu, Lun: Parallel-Split Shadow Maps for Large-scale Virtual Environments, VRCIA 2006, \
+                 figure 7 and table 1"
+            .to_owned(),
+        reported: "Four splits of 1024² texels show fewer aliased edges than one map of the same memory, near and \
+                   far.\n\nThe mean of the uniform and the logarithmic scheme is said to be the best compromise; no \
+                   number is given for it."
+            .to_owned(),
+        worlds: ["forest", "city", "terrain", "pillars"].map(str::to_owned).to_vec(),
+        cameras: ["ground", "above"].map(str::to_owned).to_vec(),
+        ways: vec![
+            way("one map, 1024²", &[("forest", "38 fps"), ("city", "41 fps")]),
+            way("one map, 2048²", &[]),
+            way("four splits", &[("forest", "29 fps, visibly sharper"), ("city", "31 fps")]),
+            Way { sweep: Some(lambda), ..way("four splits, λ", &[]) },
+        ],
+        seed: 7,
+        size: [640, 360],
+        repeats: 16,
+        frames: 120,
+        pictures: true,
+        motions: vec![],
+        columns: [
+            "error.mis_shadowed",
+            "error.false_shadow",
+            "error.false_light",
+            "error.edge_displacement_px",
+            "flip",
+            "bytes",
+            "milliseconds.frame.median",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+        plots: vec![
+            plot("bytes", "error.mis_shadowed", true, true, false),
+            plot("milliseconds.frame.median", "error.mis_shadowed", false, true, false),
+            plot("sweep", "error.mis_shadowed", false, false, false),
+            plot("sweep", "error.edge_displacement_px", false, false, true),
+        ],
+        claims: vec![
+            claim("Splits are less wrong than one map of the same memory.", "four splits", 1.0),
+            claim("Splits are less than a fifth as wrong.", "four splits", 0.21),
+            claim("A larger map is a twentieth as wrong.", "one map, 2048²", 0.05),
+        ],
+    }
+}
+
+/// A plot.
+pub fn plot(x: &str, y: &str, log_x: bool, pareto: bool, by_world: bool) -> Plot {
+    Plot { x: x.to_owned(), y: y.to_owned(), log_x, pareto, by_world }
+}
+
+/// A claim about mis-shadowed pixels, against the small map.
+pub fn claim(says: &str, way: &str, times: f64) -> Claim {
+    Claim {
+        says: says.to_owned(),
+        figure: "error.mis_shadowed".to_owned(),
+        way: way.to_owned(),
+        than: "one map, 1024²".to_owned(),
+        times,
+        worlds: vec![],
+        cameras: vec![],
+    }
+}
+
+/// Every row of an experiment, in the order it would be run.
+pub fn rows(experiment: &Experiment) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (w, world) in experiment.worlds.iter().enumerate() {
+        for (c, camera) in experiment.cameras.iter().enumerate() {
+            for (i, way) in experiment.ways.iter().enumerate() {
+                let values = way.sweep.iter().flat_map(|sweep| sweep.values.iter().cloned().map(Some));
+                let values: Vec<_> = if way.sweep.is_none() { vec![None] } else { values.collect() };
+                for swept in values {
+                    for repeat in 0..experiment.repeats {
+                        rows.push(row(experiment, (world, w), (camera, c), i, swept.clone(), repeat));
+                    }
+                }
+            }
+        }
+    }
+    rows
+}
+
+fn row(
+    experiment: &Experiment,
+    (world, w): (&str, usize),
+    (camera, c): (&str, usize),
+    way: usize,
+    swept: Option<toml::Value>,
+    repeat: u32,
+) -> Row {
+    let lambda = swept.as_ref().and_then(toml::Value::as_float).unwrap_or(0.5);
+    let (splits, resolution) = [(1, 1024), (1, 2048), (4, 1024), (4, 1024)][way % 4];
+    let settings = Settings { splits, resolution, lambda: lambda as f32, ..Settings::default() };
+    let texels = u64::from(splits * resolution * resolution);
+    let jitter = noise(&[w, c, repeat as usize]);
+    let own = noise(&[w, c, repeat as usize, way]);
+    let base = [0.052, 0.027, 0.0105, 0.0105][way % 4] * (1.0 + 2.0 * (lambda - 0.6).powi(2));
+    let wrong = base * (1.0 + 0.4 * w as f64) * (1.0 + 0.2 * jitter) * (1.0 + 0.05 * own);
+    let frame = 1.1 + 0.35 * f64::from(splits) + f64::from(resolution) / 1024.0 * 0.4 + 0.2 * w as f64;
+    let frame = frame + 0.02 * own;
+    let first = repeat == 0;
+    let measurement = Measurement {
+        world: world.to_owned(),
+        triangles: 40_000 * (w + 1),
+        camera: camera.to_owned(),
+        width: experiment.size[0],
+        height: experiment.size[1],
+        adapter: MACHINE_ADAPTER.to_owned(),
+        settings: settings.clone(),
+        texels,
+        bytes: texels * 4,
+        truth: TruthCounts {
+            pixels: 150_000,
+            ambiguous: 90,
+            shadowed: 40_000,
+            edge_px: 5_000.0,
+            standard_error: 0.0,
+        },
+        error: Some(error(wrong)),
+        flip: Some(2.0 * wrong),
+        splits: vec![],
+        around_cuts: vec![],
+        milliseconds: (first && experiment.frames > 0).then(|| milliseconds(frame)),
+        every_frame: vec![],
+        flicker: None,
+    };
+    let pictures = (first && experiment.pictures).then(|| pictures(experiment.size, w + 4 * c, wrong));
+    let cell = Cell {
+        world: world.to_owned(),
+        world_hash: String::new(),
+        seed: experiment.seed,
+        camera: camera.to_owned(),
+        repeat,
+        settings,
+        size: experiment.size,
+        frames: if first { experiment.frames } else { 0 },
+        pictures: first && experiment.pictures,
+        motion: None,
+        adapter: MACHINE_ADAPTER.to_owned(),
+        program: "5f2c8a01d9".to_owned(),
+    };
+    let machine = Machine {
+        adapter: MACHINE_ADAPTER.to_owned(),
+        timestamps: true,
+        system: "linux x86_64".to_owned(),
+        cores: 16,
+        commit: "6294189".to_owned(),
+    };
+    Row { way, swept, cell, outcome: Outcome { machine, measurement, pictures } }
+}
+
+const MACHINE_ADAPTER: &str =
+    "llvmpipe (LLVM 15.0.6, 256 bits) (software, vulkan, llvmpipe Mesa 22.3.6 (LLVM 15.0.6))";
+
+/// From −1 to 1, the same for the same numbers.
+fn noise(numbers: &[usize]) -> f64 {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    for number in numbers {
+        state = (state ^ *number as u64).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        state ^= state >> 29;
+    }
+    (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// An error of which two thirds are false shadow.
+pub fn error(wrong: f64) -> Error {
+    Error {
+        mis_shadowed: wrong,
+        false_shadow: wrong * 2.0 / 3.0,
+        false_light: wrong / 3.0,
+        rmse: wrong.sqrt(),
+        mae: wrong,
+        bias: -wrong / 3.0,
+        edge_displacement_px: Some(30.0 * wrong),
+        hausdorff_95_px: Some(200.0 * wrong),
+        causes: Causes::default(),
+        decades: vec![],
+    }
+}
+
+fn milliseconds(frame: f64) -> Milliseconds {
+    let spread = |median: f64| Spread { median, p5: 0.93 * median, p95: 1.15 * median };
+    Milliseconds {
+        plan: spread(0.05),
+        casters: spread(0.5 * frame),
+        shade: spread(0.4 * frame),
+        frame: spread(frame),
+    }
+}
+
+/// Discs of shade on a lit plane, with edges as wide as the picture is wrong.
+fn pictures([width, height]: [u32; 2], place: usize, wrong: f64) -> Pictures {
+    let mut shaded = RgbImage::new(width, height);
+    let mut wrongness = Vec::new();
+    for (x, y, pixel) in shaded.enumerate_pixels_mut() {
+        let (across, up) = (f64::from(x) / f64::from(width), f64::from(y) / f64::from(height));
+        if up < 0.3 {
+            *pixel = image::Rgb([150, 190, 225]);
+            wrongness.push(Wrongness::NotJudged);
+            continue;
+        }
+        let wave = (19.0 * across + place as f64).sin() * (13.0 * up + 2.0 * place as f64).cos() - 0.2;
+        let step = noise(&[(x / 6) as usize, (y / 6) as usize, place]) * 3.0 * wrong;
+        let (truth, claim) = (wave > 0.0, wave + step > 0.0);
+        let light = if claim { 60.0 } else { 175.0 } * (0.7 + 0.3 * up);
+        *pixel = image::Rgb([light as u8, (light * 0.97) as u8, (light * 0.8) as u8]);
+        wrongness.push(match (truth, claim) {
+            (false, true) => Wrongness::FalseShadow,
+            (true, false) => Wrongness::FalseLight,
+            _ => Wrongness::Right,
+        });
+    }
+    let rgba = DynamicImage::ImageRgb8(shaded.clone()).into_rgba8();
+    let heat = RgbaImage::from_raw(width, height, heat_map(rgba.as_raw(), &wrongness)).unwrap();
+    let file = |picture: DynamicImage, format| {
+        let mut bytes = Cursor::new(Vec::new());
+        picture.write_to(&mut bytes, format).unwrap();
+        bytes.into_inner()
+    };
+    Pictures {
+        shaded: file(DynamicImage::ImageRgb8(shaded), ImageFormat::Jpeg),
+        error: file(DynamicImage::ImageRgb8(DynamicImage::ImageRgba8(heat).into_rgb8()), ImageFormat::Png),
+    }
+}
+
+/// One world, one camera, two ways, no pictures.
+pub fn small() -> Experiment {
+    let mut experiment = experiment();
+    experiment.worlds.truncate(1);
+    experiment.cameras.truncate(1);
+    experiment.ways.truncate(3);
+    experiment.ways.iter_mut().for_each(|way| way.reported = BTreeMap::new());
+    experiment.pictures = false;
+    experiment
+}
