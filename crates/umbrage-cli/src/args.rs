@@ -56,7 +56,7 @@ pub struct RenderArgs {
     /// Where the picture goes
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
-    /// Where a grey picture of visibility goes: 255 lit, 0 shadowed
+    /// Where a grey picture of the first light's visibility goes: 255 lit, 0 shadowed
     #[arg(long, value_name = "FILE.png")]
     pub visibility: Option<PathBuf>,
     /// A folder for the shadow maps, near dark, far pale
@@ -92,10 +92,10 @@ pub struct MeasureArgs {
     /// What visibility between lit and shadowed is compared with; mis-shadowed pixels are always counted by the hard truth
     #[arg(long, value_enum, default_value_t = TruthArg::Hard)]
     pub truth: TruthArg,
-    /// Points of the sun that soft truth is the mean of
+    /// Points of each light that soft truth is the mean of
     #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(8..=65_536))]
     pub sun_points: u32,
-    /// The angle that the sun is seen under, for soft truth, degrees
+    /// The angle that the sun is seen under, for soft truth, degrees. Lamps have half of it, in radians, for a radius in metres
     #[arg(long, value_name = "DEG", default_value_t = 0.53, value_parser = parse_sun_angle)]
     pub sun_angle: f64,
     /// Measure from so many cameras, moved a little, and give the mean of each figure and its 95 % interval
@@ -125,7 +125,7 @@ pub enum TruthArg {
     Hard,
     /// The mean over 8 x 8 points of each pixel
     SubPixel,
-    /// The mean over points of the sun's disc
+    /// The mean over points of the light
     Soft,
 }
 
@@ -234,9 +234,12 @@ pub struct WorldArgs {
     /// Farthest visible depth, metres
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub far: Option<f32>,
-    /// The way sunlight travels
+    /// The way sunlight travels: a sun instead of the world's lights
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, allow_hyphen_values = true)]
     pub sun: Option<Vec3>,
+    /// One of the world's lights, by number from 0 or by name; repeatable. All of them where it is not given
+    #[arg(long, value_name = "N", conflicts_with = "sun")]
+    pub light: Vec<String>,
     /// Size of the picture, pixels; 1280x720, or 640x360 to measure
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<(u32, u32)>,

@@ -1,9 +1,8 @@
-//! Worlds, cameras and suns from the command line.
+//! Worlds, cameras and lights from the command line.
 
-use glam::Vec3;
 use umbrage_lab::{LabError, Shot};
 use umbrage_render::{Frame, Show};
-use umbrage_scene::{Camera, Lens, LightKind, Scene};
+use umbrage_scene::{Camera, Lens, Light, Scene};
 
 use crate::args::WorldArgs;
 use crate::failure::{Failure, Outcome};
@@ -21,7 +20,7 @@ pub fn load(name: &str, seed: u64) -> Outcome<Scene> {
 }
 
 /// Size of a picture where the command line does not say, pixels.
-const PICTURE: (u32, u32) = (1280, 720);
+pub const PICTURE: (u32, u32) = (1280, 720);
 
 /// What the command line wants drawn of a scene.
 pub fn frame(args: &WorldArgs, scene: &Scene, show: Show) -> Outcome<Frame> {
@@ -32,25 +31,44 @@ pub fn frame(args: &WorldArgs, scene: &Scene, show: Show) -> Outcome<Frame> {
 /// What the command line wants a picture of, `size` pixels large where it does not say.
 pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> {
     let (width, height) = args.size.unwrap_or(size);
-    let (sun, sun_colour) = match args.sun {
-        Some(direction) => (direction, Vec3::ONE),
-        None => sun(scene)?,
-    };
     if !args.time.is_finite() {
         return Err(Failure::words(format!("--time must be finite, got {} s", args.time)));
     }
-    let shot = Shot { camera: camera(args, scene)?, sun, sun_colour, seconds: args.time, width, height };
+    let (camera, lights) = (camera(args, scene)?, lights(args, scene)?);
+    let shot = Shot { camera, lights, seconds: args.time, width, height };
     // Whatever cannot be drawn is refused here, before any work is done.
     shot.frame(Show::World).map_err(Failure::words)?;
     Ok(shot)
 }
 
-/// The way the scene's sunlight travels, and its colour.
-fn sun(scene: &Scene) -> Outcome<(Vec3, Vec3)> {
-    let suns = scene.lights.iter().filter(|light| light.kind == LightKind::Directional);
-    suns.map(|sun| (sun.direction(), sun.colour))
-        .next()
-        .ok_or_else(|| Failure::words("this world has no directional light; give one with --sun X,Y,Z"))
+/// The lights that shine: a sun from the command line, or those of the world that it names, or all of them.
+fn lights(args: &WorldArgs, scene: &Scene) -> Outcome<Vec<Light>> {
+    if let Some(direction) = args.sun {
+        // It is refused here, by the words that were given.
+        umbrage::Light::directional(direction).map_err(Failure::words)?;
+        return Ok(vec![Light::sun(direction, 1.0)]);
+    }
+    let lights: Vec<Light> = match args.light[..] {
+        [] => scene.lights.clone(),
+        _ => args.light.iter().map(|wanted| choose_light(wanted, &scene.lights)).collect::<Outcome<_>>()?,
+    };
+    match lights.len() {
+        0 => Err(Failure::words("this world has no light; give one with --sun X,Y,Z")),
+        1..=umbrage::MAX_LIGHTS => Ok(lights),
+        many => Err(Failure::words(format!(
+            "{many} lights are too many, at most {} shine at once; choose with --light",
+            umbrage::MAX_LIGHTS
+        ))),
+    }
+}
+
+fn choose_light(wanted: &str, lights: &[Light]) -> Outcome<Light> {
+    let by_number = wanted.parse::<usize>().ok().and_then(|number| lights.get(number));
+    let light = by_number.or_else(|| lights.iter().find(|light| light.name == wanted));
+    light.cloned().ok_or_else(|| {
+        let names = lights.iter().enumerate().map(|(i, light)| format!("{i} ({})", light.name));
+        Failure::words(format!("no light `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
+    })
 }
 
 fn camera(args: &WorldArgs, scene: &Scene) -> Outcome<Camera> {

@@ -1,9 +1,10 @@
 //! How far a lookup must stand off its own surface, so that it does not shadow itself.
 //!
-//! A texel is a square of side t on the map's plane, and stores the depth of one point of it. A flat receiver tilted by
-//! θ against that plane differs by up to √2·h·t·tan θ in depth within the reach h (in texels) of a filter's kernel.
-//! Moving the receiver along its normal by √2·h·t·sin θ covers exactly that: the gap along the light is the offset
-//! divided by cos θ. (Holbert, *Saying "Goodbye" to Shadow Acne*, GDC 2011, has the idea; the length is derived.)
+//! A texel stores the depth of one point of it. Within the reach h (in texels) of a filter's kernel, a flat receiver
+//! differs in depth along the light by up to h (|N·a_u| + |N·a_v|) / cos θ, where a_u and a_v are the texel's sides
+//! ([`crate::Footing`]), N is the receiver's normal, and θ lies between it and the light. Moving the receiver by
+//! h (|N·a_u| + |N·a_v|) along N covers exactly that. (Holbert, *Saying "Goodbye" to Shadow Acne*, GDC 2011, has the idea;
+//! the length is derived. For square texels of side t it is at most √2 h t sin θ.)
 //!
 //! Or each texel is compared with the depth that the receiver's plane has at the texel's centre: then nothing differs on
 //! a flat receiver, and only bends within the reach are left to cover. (Dou et al., *Adaptive Depth Bias for Shadow
@@ -11,8 +12,8 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::ShadowView;
-use crate::settings::{Bias, Filter};
+use crate::footing::Footing;
+use crate::settings::{Bias, Filter, Settings, Warp};
 
 /// How far a lookup reaches from its centre, in texels: a nearest lookup half a texel, hardware 2×2 one texel, N×N of
 /// those N/2 + ½.
@@ -24,15 +25,15 @@ pub fn kernel_half_width_texels(filter: Filter) -> f32 {
     }
 }
 
-/// How far along the normal a receiver is moved, in texels times the sine of the angle between normal and light.
+/// How far along the normal a receiver is moved, in texels: see [`Footing::lift`].
 pub fn normal_offset_texels(bias: &Bias, filter: Filter) -> f32 {
-    bias.normal * std::f32::consts::SQRT_2 * kernel_half_width_texels(filter)
+    bias.normal * kernel_half_width_texels(filter)
 }
 
 /// How far from a receiver its lookups may end, in texels: the offset and the corner of the kernel.
 pub(crate) fn reach_texels(bias: &Bias, filter: Filter) -> f64 {
     let corner = std::f64::consts::SQRT_2 * f64::from(kernel_half_width_texels(filter));
-    corner + f64::from(normal_offset_texels(bias, filter))
+    corner + std::f64::consts::SQRT_2 * f64::from(normal_offset_texels(bias, filter))
 }
 
 /// What a lookup at one receiver is moved by.
@@ -44,54 +45,74 @@ pub struct BiasMetres {
     pub toward_light: f32,
 }
 
-/// The bias at a receiver whose unit normal makes an angle with the unit direction to the light, of which `cosine` is
-/// the cosine. `texel_metres` is the view's.
-pub fn bias_metres(bias: &Bias, filter: Filter, texel_metres: f32, cosine: f32) -> BiasMetres {
-    let cosine = cosine.clamp(0.0, 1.0);
-    let sine = (1.0 - cosine * cosine).sqrt();
-    let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
-    BiasMetres {
-        along_normal: normal_offset_texels(bias, filter) * texel_metres * sine,
-        toward_light: bias.constant + bias.slope * texel_metres * tangent,
-    }
+/// What each texel around a receiver is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reference {
+    /// The depth that the receiver's own plane has at the texel's centre.
+    Plane,
+    /// The depth there of a plane through the receiver that faces the light. Under a sun without a warp that is the
+    /// receiver's own depth; where a warp or a cone scales depth from texel to texel, it is what stays the same.
+    Facing,
+    /// The receiver's own depth, as it is stored: one comparison for four texels, which samplers do at once.
+    Own,
 }
 
-impl Bias {
-    /// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light (83°).
-    /// Measured: less leaves acne on slopes, and more changes no picture while margins grow with it.
-    pub const STEEPEST_PLANE: f32 = 8.0;
-
-    /// How much the depth to compare with grows from one texel of a view to the next, to the right and downward: as the
-    /// depth of the receiver's plane does where `receiver_plane` is set, else not at all. `normal` is unit, `cosine` that
-    /// of the angle between it and the direction to the light.
-    ///
-    /// For parallel views. Mirrors `umbrage_gradient` of the shaders, where the formula is derived.
-    pub fn plane_gradient(&self, view: &ShadowView, normal: Vec3, cosine: f32) -> Vec2 {
-        if !self.receiver_plane || cosine <= 0.0 {
-            return Vec2::ZERO;
+impl Settings {
+    /// What texels are compared with under these settings.
+    pub fn reference(&self) -> Reference {
+        if self.bias.receiver_plane {
+            Reference::Plane
+        } else if self.warp != Warp::None || self.filter == (Filter::Hard {}) {
+            Reference::Facing
+        } else {
+            Reference::Own
         }
-        let right = view.clip_from_world.row(0).truncate();
-        let down = -view.clip_from_world.row(1).truncate();
-        let along =
-            Vec2::new(normal.dot(right) / right.length_squared(), normal.dot(down) / down.length_squared());
-        let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-        let limited = cosine.max(sine / Self::STEEPEST_PLANE);
-        along * (2.0 / (view.tile.size as f32 * view.depth_metres * limited))
+    }
+
+    /// The bias at a receiver with a unit normal and a unit direction to the light. `footing` is that of its view there.
+    pub fn bias_metres(&self, footing: &Footing, normal: Vec3, to_light: Vec3) -> BiasMetres {
+        let bias = &self.bias;
+        let cosine = normal.dot(to_light).clamp(0.0, 1.0);
+        let sine = (1.0 - cosine * cosine).sqrt();
+        let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
+        let texels = normal_offset_texels(bias, self.filter);
+        BiasMetres {
+            along_normal: match self.reference() {
+                Reference::Plane | Reference::Facing => footing.lift(normal, texels),
+                Reference::Own => footing.lift_over_stored(normal, to_light, texels),
+            },
+            toward_light: bias.constant + bias.slope * footing.texel_metres() * tangent,
+        }
+    }
+
+    /// How much the depth to compare with grows from one texel of a view to the next, to the right and downward.
+    ///
+    /// Mirrors `umbrage_gradient` of the shaders.
+    pub fn reference_gradient(&self, footing: &Footing, normal: Vec3, to_light: Vec3) -> Vec2 {
+        match self.reference() {
+            Reference::Plane => footing.slope(normal, to_light),
+            Reference::Facing => footing.slope(to_light, to_light),
+            Reference::Own => Vec2::ZERO,
+        }
     }
 }
+
+/// Rasterisers round corners to a grid of 256 steps a texel: stored depth may be that of a place so many texels away.
+pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 
 /// How far along the light a receiver's plane may lie from the receiver within its lookups' reach, in texels.
 pub(crate) fn plane_reach_texels(bias: &Bias, filter: Filter) -> f64 {
     let corner = std::f64::consts::SQRT_2 * f64::from(kernel_half_width_texels(filter));
-    if bias.receiver_plane { corner * f64::from(Bias::STEEPEST_PLANE) } else { 0.0 }
+    if bias.receiver_plane { corner * f64::from(Footing::STEEPEST_PLANE) } else { 0.0 }
 }
 
 /// How far toward the light what is compared may lie from its receiver, at most, metres.
 pub(crate) fn largest_bias(bias: &Bias, filter: Filter, texel_metres: f64) -> f64 {
-    f64::from(normal_offset_texels(bias, filter)) * texel_metres
+    std::f64::consts::SQRT_2 * f64::from(normal_offset_texels(bias, filter)) * texel_metres
         + f64::from(bias.constant)
         + f64::from(bias.slope) * texel_metres * f64::from(bias.slope_limit)
         + plane_reach_texels(bias, filter) * texel_metres
+        + 2.0 * f64::from(RASTER_STEP_TEXELS * Footing::STEEPEST_PLANE) * texel_metres
 }
 
 #[cfg(test)]
@@ -99,8 +120,8 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::fit::LightSpace;
-    use crate::{Bounds, Camera, ConvexVolume, Light, Projection, Select, Settings, Tile, plan};
+    use crate::space::LightSpace;
+    use crate::{Bounds, Camera, ConvexVolume, Light, Projection, Select, ShadowView, Tile, plan};
 
     #[test]
     fn the_tutorials_slope_bias_is_reproduced_on_its_own_scene() {
@@ -109,7 +130,9 @@ mod tests {
         let bias = Bias { slope: 0.005 * 30.0 / texel, slope_limit: 2.0, ..Bias::NONE };
         for degrees in [0.0f32, 30.0, 45.0, 60.0, 80.0] {
             let tutorial = (0.005 * degrees.to_radians().tan()).clamp(0.0, 0.01) * 30.0;
-            let ours = bias_metres(&bias, Filter::Hard {}, texel, degrees.to_radians().cos()).toward_light;
+            let footing = square_texels(texel);
+            let normal = Vec3::new(degrees.to_radians().sin(), degrees.to_radians().cos(), 0.0);
+            let ours = with(bias, Filter::Hard {}).bias_metres(&footing, normal, Vec3::Y).toward_light;
             assert!((ours - tutorial).abs() < 1e-5, "{degrees}°: {ours}, not {tutorial}");
         }
     }
@@ -119,7 +142,12 @@ mod tests {
         let bias = Bias { normal: 1.0, ..Bias::NONE };
         for degrees in [5.0f32, 45.0, 85.0] {
             let (sine, cosine) = degrees.to_radians().sin_cos();
-            let gap_along_light = bias_metres(&bias, Filter::Bilinear {}, 0.25, cosine).along_normal / cosine;
+            // Across the texels' diagonal, where it is most.
+            let half = std::f32::consts::FRAC_1_SQRT_2;
+            let normal = Vec3::new(sine * half, cosine, sine * half);
+            let footing = square_texels(0.25);
+            let gap_along_light =
+                with(bias, Filter::Bilinear {}).bias_metres(&footing, normal, Vec3::Y).along_normal / cosine;
             let error = std::f32::consts::SQRT_2 * 0.25 * sine / cosine;
             assert!(
                 (gap_along_light / error - 1.0).abs() < 1e-4,
@@ -131,8 +159,20 @@ mod tests {
     #[test]
     fn surfaces_turned_away_get_a_finite_bias() {
         let bias = Bias { slope: 1.0, ..Bias::default() };
-        let metres = bias_metres(&bias, Filter::Pcf { size: 9 }, 1.0, -0.5);
+        let metres =
+            with(bias, Filter::Pcf { size: 9 }).bias_metres(&square_texels(1.0), Vec3::NEG_Y, Vec3::Y);
         assert!(metres.along_normal.is_finite() && metres.toward_light.is_finite(), "{metres:?}");
+    }
+
+    fn with(bias: Bias, filter: Filter) -> Settings {
+        Settings { bias, filter, ..Settings::default() }
+    }
+
+    /// Texels of this side under a sun in the zenith.
+    fn square_texels(side: f32) -> Footing {
+        let (view, _) = view(DVec3::NEG_Y);
+        let scaled = glam::Mat4::from_scale(Vec3::new(0.5 / side, 1.0, 0.25 / side));
+        ShadowView { clip_from_world: view.clip_from_world * scaled, ..view }.texel_at(Vec3::ZERO)
     }
 
     /// A view of 64 × 32 metres and 100 metres of depth on 128² texels, with its axes.
@@ -141,7 +181,8 @@ mod tests {
         let view = ShadowView {
             index: 0,
             clip_from_world: light
-                .clip_from_world(DVec3::new(-30.0, -10.0, -40.0), DVec3::new(34.0, 22.0, 60.0)),
+                .clip_from_world(DVec3::new(-30.0, -10.0, -40.0), DVec3::new(34.0, 22.0, 60.0))
+                .as_mat4(),
             casters: ConvexVolume::default(),
             light: 0,
             split: 0,
@@ -162,7 +203,12 @@ mod tests {
         for (x, y) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (-2.0, 3.0), (4.0, -5.0)] {
             // A plane whose depth changes by x and y metres a metre to the right and up on the map.
             let normal = (light.right * x + light.up * y - light.along).normalize_or_zero();
-            let gradient = bias.plane_gradient(&view, normal.as_vec3(), -normal.dot(along) as f32);
+            let footing = view.texel_at(Vec3::ONE);
+            let gradient = with(bias, Filter::Bilinear {}).reference_gradient(
+                &footing,
+                normal.as_vec3(),
+                -along.as_vec3(),
+            );
             // Texels are half a metre by a quarter, and a unit of depth is 100 m.
             let expected = Vec2::new(x as f32 * 0.5, y as f32 * -0.25) / 100.0;
             assert!((gradient - expected).length() < 1e-6, "{x}, {y}: {gradient}, not {expected}");
@@ -180,8 +226,10 @@ mod tests {
                 let (sine, cosine) = degrees.to_radians().sin_cos();
                 let (y, x) = (f64::from(turn) * 0.4).sin_cos();
                 let normal = (light.right * x + light.up * y) * sine - light.along * cosine;
-                let gradient = bias.plane_gradient(&view, normal.as_vec3(), cosine as f32);
-                let toward = bias_metres(&bias, filter, view.texel_metres, cosine as f32);
+                let footing = view.texel_at(Vec3::ONE);
+                let gradient =
+                    with(bias, Filter::Bilinear {}).reference_gradient(&footing, normal.as_vec3(), Vec3::Y);
+                let toward = with(bias, filter).bias_metres(&footing, normal.as_vec3(), Vec3::Y);
                 let nearest =
                     gradient.abs().element_sum() * kernel_half_width_texels(filter) * view.depth_metres
                         + toward.along_normal
@@ -195,10 +243,21 @@ mod tests {
     fn surfaces_turned_away_have_no_gradient_and_grazing_ones_a_finite_one() {
         let bias = Bias { receiver_plane: true, ..Bias::NONE };
         let (view, _) = view(DVec3::NEG_Y);
-        assert_eq!(bias.plane_gradient(&view, Vec3::X, 0.0), Vec2::ZERO);
-        assert!(bias.plane_gradient(&view, Vec3::X, 1e-30).is_finite(), "grazing");
+        let footing = view.texel_at(Vec3::ONE);
+        assert_eq!(
+            with(bias, Filter::Bilinear {}).reference_gradient(&footing, Vec3::X, Vec3::Y),
+            Vec2::ZERO
+        );
         assert!(
-            Bias::NONE.plane_gradient(&view, Vec3::ONE.normalize_or_zero(), 0.5) == Vec2::ZERO,
+            with(bias, Filter::Bilinear {})
+                .reference_gradient(&footing, Vec3::new(1.0, 1e-30, 0.0), Vec3::Y)
+                .is_finite(),
+            "grazing"
+        );
+        let slanted = Vec3::ONE.normalize_or_zero();
+        assert_eq!(
+            with(Bias::NONE, Filter::Bilinear {}).reference_gradient(&footing, slanted, Vec3::Y),
+            Vec2::ZERO,
             "not asked for"
         );
     }

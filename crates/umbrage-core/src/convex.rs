@@ -5,11 +5,12 @@
 
 use glam::DVec3;
 
+use crate::bounds::Aabb;
 use crate::few::Few;
 use crate::frustum::PlaneF64;
 
 /// A frustum clipped by a box and by another frustum has at most 18 faces.
-const MAX_FACES: usize = 20;
+pub(crate) const MAX_FACES: usize = 20;
 /// A face of a body with F faces has fewer than F corners.
 const MAX_CORNERS: usize = 20;
 /// Points this close, relative to the body's size, are one point.
@@ -38,6 +39,19 @@ impl ConvexBody {
             body.add_face(&if outward { [a, b, c, d] } else { [d, c, b, a] });
         }
         body
+    }
+
+    /// What is left inside all of the planes.
+    pub(crate) fn clipped_by_all(self, planes: &[PlaneF64]) -> Self {
+        planes.iter().fold(self, |body, plane| body.clipped_by(plane))
+    }
+
+    /// What is left inside a box.
+    pub(crate) fn clipped_by_box(self, aabb: &Aabb) -> Self {
+        [DVec3::X, DVec3::Y, DVec3::Z].into_iter().fold(self, |body, axis| {
+            let (low, high) = (aabb.min.as_dvec3().dot(axis), aabb.max.as_dvec3().dot(axis));
+            body.clipped(axis, -low).clipped(-axis, high)
+        })
     }
 
     /// The box between two corners.
@@ -114,6 +128,12 @@ impl ConvexBody {
             left.add_face(&ring(&cut, plane.normal));
         }
         left
+    }
+
+    /// The faces' edges; each comes twice, once for either face.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
+        let ends = |face: &Face, i: usize| (face[i], face[(i + 1) % face.len()]);
+        self.faces.iter().flat_map(move |face| (0..face.len()).map(move |i| ends(face, i)))
     }
 
     /// Inward planes of the faces.

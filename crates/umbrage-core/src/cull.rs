@@ -3,14 +3,14 @@
 //! The sweep of a convex body along a direction is bounded by the body's faces that look away from where it goes, and
 //! by planes along that direction through its outline. The outline is the convex hull of the corners seen from the light.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec4, Vec3};
 
 use crate::bounds::Aabb;
 use crate::convex::ConvexBody;
 use crate::few::Few;
-use crate::fit::LightSpace;
 use crate::fit::outline::convex_hull;
 use crate::frustum::{Plane, PlaneF64};
+use crate::space::LightSpace;
 
 /// A clipped slice has at most 12 faces and 20 corners.
 const MAX_PLANES: usize = 32;
@@ -98,16 +98,18 @@ impl ConvexVolume {
         volume
     }
 
-    /// Everything over the rectangle `min`…`max` of light space, from infinitely near the light to depth `far`.
-    pub(crate) fn over_rectangle(min: DVec2, max: DVec2, far: f64, light: &LightSpace) -> Self {
-        let margin = MARGIN * min.abs().max(max.abs()).max_element().max(far.abs()).max(1.0);
+    /// Everything that a map can hold: between its four sides, from infinitely near the light to its far plane. `rows`
+    /// are those of its clip matrix.
+    pub(crate) fn over_map(rows: [DVec4; 4]) -> Self {
+        let [x, y, z, w] = rows;
+        let planes = [w + x, w - x, w + y, w - y, w - z].map(|row| {
+            let length = row.truncate().length();
+            PlaneF64 { normal: row.truncate() / length, distance: row.w / length }
+        });
+        let usable = || planes.iter().filter(|plane| plane.normal.is_finite() && plane.distance.is_finite());
+        let size = usable().map(|plane| plane.distance.abs()).fold(1.0, f64::max);
         let mut volume = Self::default();
-        let axes: [(DVec3, f64, f64); 2] = [(light.right, min.x, max.x), (light.up, min.y, max.y)];
-        for (axis, low, high) in axes {
-            volume.add(PlaneF64 { normal: axis, distance: -low }.widened(margin));
-            volume.add(PlaneF64 { normal: -axis, distance: high }.widened(margin));
-        }
-        volume.add(PlaneF64 { normal: -light.along, distance: far }.widened(margin));
+        usable().for_each(|plane| volume.add(plane.widened(MARGIN * size)));
         volume
     }
 }
@@ -133,6 +135,8 @@ fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> Few<DVec2, MAX_OUT
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
 
     #[test]

@@ -53,6 +53,12 @@ impl fmt::Display for CameraError {
 pub enum LightError {
     /// The direction has no length, or is not finite.
     Direction([f32; 3]),
+    /// The place is not finite, metres.
+    Position([f32; 3]),
+    /// The angle between a spot's axis and its rim is not between 0 and π/2, radians.
+    HalfAngle(f32),
+    /// The range is not positive, metres.
+    Range(f32),
 }
 
 impl fmt::Display for LightError {
@@ -61,6 +67,14 @@ impl fmt::Display for LightError {
             Self::Direction([x, y, z]) => {
                 write!(f, "a light's direction must be finite and not zero, got ({x}, {y}, {z})")
             }
+            Self::Position([x, y, z]) => {
+                write!(f, "a light's place must be finite, got ({x}, {y}, {z}) m")
+            }
+            Self::HalfAngle(radians) => {
+                let whole = 2.0 * radians.to_degrees();
+                write!(f, "a spot's whole angle must lie between 0 and 180 degrees, got {whole} degrees")
+            }
+            Self::Range(range) => write!(f, "a light's range must be positive, got {range} m"),
         }
     }
 }
@@ -78,6 +92,15 @@ pub enum SettingsError {
         /// What is allowed, with the unit.
         wanted: &'static str,
     },
+    /// Two settings that exclude each other.
+    Conflict {
+        /// The one, with its value.
+        this: &'static str,
+        /// The other.
+        other: &'static str,
+        /// Why.
+        why: &'static str,
+    },
     /// The manual split distances do not rise, or there are not `splits − 1` of them.
     Manual {
         /// How many inner distances there should be.
@@ -91,6 +114,9 @@ impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OutOfRange { key, value, wanted } => write!(f, "`{key}` must be {wanted}, got {value}"),
+            Self::Conflict { this, other, why } => {
+                write!(f, "{this} excludes {other}, since {why}; change one of them")
+            }
             Self::Manual { wanted, got } => {
                 write!(
                     f,
@@ -116,6 +142,13 @@ pub enum PlanError {
     },
     /// A box of the world is not finite.
     Bounds,
+    /// The lights need more views, or larger tiles, than there is room for.
+    Room {
+        /// How many views they need.
+        got: u32,
+        /// For how many the maps were made.
+        most: u32,
+    },
     /// More lights than one plan can hold.
     Lights {
         /// How many were given.
@@ -133,6 +166,12 @@ impl fmt::Display for PlanError {
                 write!(f, "`distance` must exceed the camera's near of {near} m, got {distance} m")
             }
             Self::Bounds => write!(f, "the world's bounds must be finite"),
+            Self::Room { got, most } => {
+                write!(
+                    f,
+                    "the lights need {got} views, and the maps were made for {most}, or for smaller tiles"
+                )
+            }
             Self::Lights { got, most } => write!(f, "a plan holds at most {most} lights, got {got}"),
         }
     }

@@ -45,9 +45,10 @@ impl PlaneF64 {
         self.normal.dot(point) + self.distance
     }
 
-    /// Rounded to f32, and moved outward by `margin` metres.
+    /// Rounded to f32, and moved outward by `margin` metres. What is farther than any f32 is as far as the largest.
     pub fn widened(&self, margin: f64) -> Plane {
-        Plane { normal: self.normal.as_vec3(), distance: (self.distance + margin) as f32 }
+        let distance = (self.distance + margin).clamp(f64::from(f32::MIN), f64::from(f32::MAX));
+        Plane { normal: self.normal.as_vec3(), distance: distance as f32 }
     }
 }
 

@@ -12,6 +12,8 @@
 //!
 //! This crate does not: draw, allocate textures, know a shading language, load scenes, or choose your light.
 
+mod aliasing;
+mod beam;
 mod bias;
 mod bounds;
 mod camera;
@@ -20,31 +22,39 @@ mod cull;
 mod error;
 mod few;
 mod fit;
+mod footing;
 mod frustum;
 mod light;
 mod plan;
 mod presets;
 mod settings;
+mod space;
 mod split;
 mod stabilise;
 mod view;
+mod warp;
 
-pub use bias::{BiasMetres, bias_metres, kernel_half_width_texels, normal_offset_texels};
+pub use aliasing::{
+    PerspectiveError, TexelExtent, balanced_warp_near, ideal_storage_factor, largest_perspective_error,
+    perspective_error, perspective_texel_extent, storage_factor, texel_extent,
+};
+pub use bias::{BiasMetres, RASTER_STEP_TEXELS, Reference, kernel_half_width_texels, normal_offset_texels};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
 pub use few::Few;
-pub use fit::LightSpace;
+pub use footing::Footing;
 pub use frustum::Plane;
-pub use light::Light;
+pub use light::{Light, Rays};
 pub use plan::{ShadowPlan, plan};
 pub use presets::{PRESETS, Preset};
 pub use settings::{
     Bias, CasterFaces, DepthFormat, Filter, Fit, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
-    Storage,
+    Storage, Warp,
 };
+pub use space::LightSpace;
 pub use split::split_distances;
 pub use stabilise::{Sphere, bounding_sphere, quantise_up, snap};
 pub use view::{MapLayout, ShadowView, Tile};

@@ -6,14 +6,44 @@ use crate::LightError;
 
 /// A light that casts shadows.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Where its rays come from.
+    pub rays: Rays,
+    /// Texels a side of each of its views' tiles; as the settings say where absent.
+    pub resolution: Option<u32>,
+}
+
+/// Where a light's rays come from, in world space. Made by the functions of [`Light`], which refuse what cannot shine.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Light {
-    /// Parallel rays, as from the sun. Made by [`Light::directional`].
+pub enum Rays {
+    /// Parallel, as from the sun.
     Directional {
-        /// Unit direction in which the light travels, in world space.
+        /// Unit direction in which the light travels.
         direction: Vec3,
     },
+    /// A cone.
+    Spot {
+        /// Its tip, metres.
+        position: Vec3,
+        /// Unit direction of its axis.
+        direction: Vec3,
+        /// Between axis and rim, radians, below π/2.
+        half_angle: f32,
+        /// How far it reaches, metres; may be infinite.
+        range: f32,
+    },
+    /// All directions.
+    Point {
+        /// Metres.
+        position: Vec3,
+        /// How far it reaches, metres; may be infinite.
+        range: f32,
+    },
 }
+
+/// Views of a point light: the faces of a cube.
+pub(crate) const FACES: u32 = 6;
 
 impl Light {
     /// A sun whose light travels along `direction`, of any length.
@@ -21,24 +51,64 @@ impl Light {
     /// # Errors
     /// When `direction` is zero or not finite.
     pub fn directional(direction: Vec3) -> Result<Self, LightError> {
-        // In f64, which holds the square of every f32.
-        let unit = direction.as_dvec3().try_normalize().ok_or(LightError::Direction(direction.to_array()))?;
-        Ok(Self::Directional { direction: unit.as_vec3() })
+        Ok(Self::of(Rays::Directional { direction: unit(direction)? }))
     }
 
-    /// Unit direction toward the light, in world space; for a directional light the same everywhere.
-    pub fn direction_to_light(&self) -> Vec3 {
-        match self {
-            Self::Directional { direction } => -*direction,
+    /// A cone of light from `position` along `direction` (of any length), `half_angle` radians from its axis to its rim,
+    /// `range` metres long.
+    ///
+    /// # Errors
+    /// When `direction` is zero, `half_angle` not between 0 and π/2, `range` not positive, or a place is not finite.
+    pub fn spot(position: Vec3, direction: Vec3, half_angle: f32, range: f32) -> Result<Self, LightError> {
+        if !(half_angle > 0.0 && half_angle < std::f32::consts::FRAC_PI_2) {
+            return Err(LightError::HalfAngle(half_angle));
         }
+        let direction = unit(direction)?;
+        check_reach(position, range)?;
+        Ok(Self::of(Rays::Spot { position, direction, half_angle, range }))
     }
 
-    /// How many shadow views it needs when the camera's depth is cut into `splits`.
-    pub fn views(&self, splits: u32) -> u32 {
-        match self {
-            Self::Directional { .. } => splits,
+    /// Light in all directions from `position`, `range` metres far.
+    ///
+    /// # Errors
+    /// When `range` is not positive or `position` not finite.
+    pub fn point(position: Vec3, range: f32) -> Result<Self, LightError> {
+        check_reach(position, range)?;
+        Ok(Self::of(Rays::Point { position, range }))
+    }
+
+    fn of(rays: Rays) -> Self {
+        Self { rays, resolution: None }
+    }
+
+    /// The same with tiles of `texels` a side.
+    #[must_use]
+    pub fn with_resolution(self, texels: u32) -> Self {
+        Self { resolution: Some(texels), ..self }
+    }
+
+    /// Unit direction from a point of the world toward the light; zero at the light itself.
+    pub fn direction_from(&self, point: Vec3) -> Vec3 {
+        match self.rays {
+            Rays::Directional { direction } => -direction,
+            Rays::Spot { position, .. } | Rays::Point { position, .. } => {
+                (position - point).normalize_or_zero()
+            }
         }
     }
+}
+
+/// In f64, which holds the square of every f32.
+fn unit(direction: Vec3) -> Result<Vec3, LightError> {
+    let unit = direction.as_dvec3().try_normalize().ok_or(LightError::Direction(direction.to_array()))?;
+    Ok(unit.as_vec3())
+}
+
+fn check_reach(position: Vec3, range: f32) -> Result<(), LightError> {
+    if !position.is_finite() {
+        return Err(LightError::Position(position.to_array()));
+    }
+    if range > 0.0 { Ok(()) } else { Err(LightError::Range(range)) }
 }
 
 #[cfg(test)]
@@ -49,11 +119,32 @@ mod tests {
     fn a_direction_of_any_length_will_do() {
         for length in [1e-30, 1.0, 1e38] {
             let light = Light::directional(Vec3::new(0.6, -0.8, 0.0) * length);
-            let to_light = light.map(|light| light.direction_to_light());
+            let to_light = light.map(|light| light.direction_from(Vec3::ONE));
             assert!(
                 to_light.is_ok_and(|d| (d - Vec3::new(-0.6, 0.8, 0.0)).length() < 1e-6),
                 "{length}: {light:?}"
             );
         }
+    }
+
+    #[test]
+    fn lights_that_cannot_shine_are_refused_by_name() {
+        let spot = |half_angle, range| Light::spot(Vec3::ZERO, Vec3::NEG_Y, half_angle, range);
+        assert_eq!(spot(0.0, 1.0), Err(LightError::HalfAngle(0.0)));
+        assert!(matches!(spot(f32::NAN, 1.0), Err(LightError::HalfAngle(_))), "NaN is refused");
+        assert_eq!(spot(1.6, 1.0), Err(LightError::HalfAngle(1.6)));
+        assert_eq!(spot(1.0, 0.0), Err(LightError::Range(0.0)));
+        assert!(spot(89.5f32.to_radians(), f32::INFINITY).is_ok(), "179 degrees, and no end");
+        assert!(matches!(Light::point(Vec3::NAN, 1.0), Err(LightError::Position(_))), "nowhere");
+        assert_eq!(Light::point(Vec3::ZERO, -1.0), Err(LightError::Range(-1.0)));
+        assert_eq!(Light::directional(Vec3::ZERO), Err(LightError::Direction([0.0; 3])));
+    }
+
+    #[test]
+    fn a_lamp_is_seen_from_everywhere_but_from_itself() {
+        let lamp = Light::point(Vec3::new(0.0, 3.0, 0.0), 9.0);
+        let toward = |point| lamp.map(|lamp| lamp.direction_from(point));
+        assert_eq!(toward(Vec3::ZERO), Ok(Vec3::Y));
+        assert_eq!(toward(Vec3::new(0.0, 3.0, 0.0)), Ok(Vec3::ZERO));
     }
 }

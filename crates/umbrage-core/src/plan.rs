@@ -1,16 +1,22 @@
 //! From a camera, lights, a world and settings to shadow views: pure, and microseconds.
+//!
+//! A sun makes a view for each split, a spot likewise (one, unless `spot_splits` says more), and a point light six.
 
-use glam::{DVec3, Mat4};
+use std::ops::Range;
 
+use glam::{DMat4, Mat4};
+
+use crate::beam::Beam;
 use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
+use crate::convex::ConvexBody;
 use crate::error::PlanError;
 use crate::few::Few;
-use crate::fit::{Fitted, Outline, Slice, fit};
-use crate::light::Light;
-use crate::settings::{MAX_LIGHTS, MAX_SPLITS, Settings};
+use crate::fit::{Outline, Slice, fit};
+use crate::light::{FACES, Light, Rays};
+use crate::settings::{DepthFormat, MAX_LIGHTS, MAX_SPLITS, Scheme, Settings};
 use crate::split::split_distances;
-use crate::view::{MapLayout, ShadowView};
+use crate::view::{MAX_VIEWS, MapLayout, ShadowView, Tile, arrange, tile_sizes};
 
 /// The shadow views of one frame, and what a receiver needs to find its own.
 #[derive(Clone, Debug)]
@@ -24,12 +30,12 @@ pub struct ShadowPlan {
     outline: Outline,
 }
 
-/// Plans a frame. The views come light by light, and in a light split by split.
+/// Plans a frame. The views come light by light, and in a light split by split or face by face.
 ///
 /// A slice in which there is nothing gets a finite view that no caster touches. Never NaN, for any finite input.
 ///
 /// # Errors
-/// When a setting is out of range, the shadow distance ends before the camera's near, the world's box is not finite
+/// When a setting or a light's resolution is out of range, the shadow distance ends before the camera's near, the world's box is not finite
 /// (an empty one is allowed), or there are more than [`MAX_LIGHTS`] lights.
 pub fn plan(
     camera: &Camera,
@@ -37,7 +43,7 @@ pub fn plan(
     bounds: &Bounds,
     settings: &Settings,
 ) -> Result<ShadowPlan, PlanError> {
-    let layout = MapLayout::new(settings, 1);
+    let layout = MapLayout { width: 0, height: 0, layers: 0, depth: DepthFormat::F32 };
     let mut plan = ShadowPlan {
         views: Vec::new(),
         lights: Vec::new(),
@@ -75,42 +81,66 @@ impl ShadowPlan {
         if !empty_or_finite(&bounds.world) || !bounds.objects.iter().all(empty_or_finite) {
             return Err(PlanError::Bounds);
         }
+        let sizes = tile_sizes(settings, lights)?;
 
+        let mut tiles = [Tile::default(); MAX_VIEWS];
+        self.layout = arrange(settings.storage, settings.depth, &sizes, &mut tiles);
         self.camera = *camera;
         self.splits = split_distances(camera.near()..far, settings);
         self.lights.clear();
         self.lights.extend_from_slice(lights);
-        self.layout = MapLayout::new(settings, lights.iter().map(|light| light.views(settings.splits)).sum());
         self.views.clear();
-        for (light_index, light) in lights.iter().enumerate() {
-            let Light::Directional { direction } = *light;
-            for split in 0..settings.splits as usize {
-                let depths = self.splits[split]..self.splits[split + 1];
-                let slice = Slice {
-                    camera,
-                    depths: depths.clone(),
-                    along: direction.as_dvec3().normalize_or(DVec3::NEG_Y),
-                    bounds,
-                    settings,
-                };
-                let Fitted { light, min, max, casters, unclipped_depth } = fit(&slice, &mut self.outline);
-                let index = self.views.len();
-                let size = max - min;
-                self.views.push(ShadowView {
-                    index,
-                    clip_from_world: finite_matrix(light.clip_from_world(min, max)),
-                    casters,
-                    light: light_index,
-                    split,
-                    depths: depths.start as f32..depths.end as f32,
-                    texel_metres: finite(size.x.max(size.y) / f64::from(settings.resolution)),
-                    depth_metres: finite(size.z),
-                    tile: self.layout.tile(index as u32),
-                    unclipped_depth,
-                });
+        for (index, light) in lights.iter().enumerate() {
+            let job = Job { index, light, camera, bounds, settings, tiles: &tiles };
+            match light.rays {
+                Rays::Directional { .. } => {
+                    let splits = self.splits;
+                    self.add_splits(&job, &splits);
+                }
+                Rays::Spot { .. } => {
+                    let splits = spot_splits(&job, camera.near()..far);
+                    self.add_splits(&job, &splits);
+                }
+                Rays::Point { .. } => {
+                    let depths = f64::from(camera.near())..f64::from(far);
+                    (0..FACES as usize)
+                        .for_each(|face| self.add_view(&job, face, depths.clone(), depths.clone()));
+                }
             }
         }
         Ok(())
+    }
+
+    /// One view for each slice between two of the distances.
+    fn add_splits(&mut self, job: &Job<'_>, splits: &[f64]) {
+        let mut faded = 0.0;
+        for (split, ends) in splits.windows(2).enumerate() {
+            // What is cross-faded out of the slice before is looked up here too.
+            self.add_view(job, split, ends[0] - faded..ends[1], ends[0]..ends[1]);
+            faded = f64::from(job.settings.blend) * (ends[1] - ends[0]);
+        }
+    }
+
+    /// A view that is fitted to some depths and serves others.
+    fn add_view(&mut self, job: &Job<'_>, split: usize, fitted: Range<f64>, served: Range<f64>) {
+        let index = self.views.len();
+        let Job { light, camera, bounds, settings, tiles, .. } = *job;
+        let tile = tiles[index];
+        let beam = Beam::of(light.rays, split, tile.size, bounds, settings);
+        let slice = Slice { camera, depths: fitted, beam, resolution: tile.size, bounds, settings };
+        let fitted = fit(&slice, &mut self.outline);
+        self.views.push(ShadowView {
+            index,
+            clip_from_world: finite_matrix(fitted.clip_from_world),
+            casters: fitted.casters,
+            light: job.index,
+            split,
+            depths: served.start as f32..served.end as f32,
+            texel_metres: finite(fitted.texel_metres),
+            depth_metres: finite(fitted.depth_metres),
+            tile,
+            unclipped_depth: fitted.unclipped_depth,
+        });
     }
 
     /// The views, light by light, and in a light split by split.
@@ -123,7 +153,7 @@ impl ShadowPlan {
         &self.lights
     }
 
-    /// C_0 … C_m, metres.
+    /// C_0 … C_m of suns, metres. A spot's are in its views.
     pub fn splits(&self) -> &[f64] {
         &self.splits
     }
@@ -139,13 +169,45 @@ impl ShadowPlan {
     }
 }
 
+/// What all views of a light are made from.
+struct Job<'a> {
+    index: usize,
+    light: &'a Light,
+    camera: &'a Camera,
+    bounds: &'a Bounds,
+    settings: &'a Settings,
+    tiles: &'a [Tile],
+}
+
+/// Cuts the view depths that a spot reaches; all of them where it reaches nothing.
+fn spot_splits(job: &Job<'_>, depths: Range<f32>) -> Few<f64, { MAX_SPLITS + 1 }> {
+    let Job { light, camera, bounds, settings, .. } = *job;
+    let all = f64::from(depths.start)..f64::from(depths.end);
+    let beam = Beam::of(light.rays, 0, settings.resolution, bounds, settings);
+    let (eye, forward) = (camera.eye().as_dvec3(), camera.forward().as_dvec3());
+    let mut reached = f64::INFINITY..f64::NEG_INFINITY;
+    if let Beam::Spread(pyramid) = beam {
+        let body = ConvexBody::of_slice(&camera.slice_corners(all)).clipped_by_all(&pyramid.planes());
+        for depth in body.corners().map(|corner| forward.dot(corner - eye)) {
+            reached = reached.start.min(depth)..reached.end.max(depth);
+        }
+    }
+    let from = (reached.start as f32).clamp(depths.start, depths.end);
+    let to = (reached.end as f32).clamp(depths.start, depths.end);
+    let reached = if from < to { from..to } else { depths };
+    // Distances that were given by hand are a sun's.
+    let scheme = if settings.scheme == Scheme::Manual { Scheme::Practical } else { settings.scheme };
+    split_distances(reached, &Settings { splits: settings.spot_splits, scheme, ..settings.clone() })
+}
+
 /// The nearest f32, and the largest one instead of infinity.
 fn finite(value: f64) -> f32 {
     value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
 }
 
 /// Entries beyond f32 become its largest: such a map is useless, but not NaN.
-fn finite_matrix(matrix: Mat4) -> Mat4 {
-    let entries = matrix.to_cols_array().map(|entry| entry.clamp(f32::MIN, f32::MAX));
-    Mat4::from_cols_array(&entries)
+fn finite_matrix(matrix: DMat4) -> Mat4 {
+    Mat4::from_cols_array(
+        &matrix.to_cols_array().map(|entry| if entry.is_nan() { 0.0 } else { finite(entry) }),
+    )
 }

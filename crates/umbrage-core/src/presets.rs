@@ -3,7 +3,7 @@
 //! The sources' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have the same
 //! bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
 
-use crate::settings::{Bias, Filter, Fit, Select, Settings};
+use crate::settings::{Bias, Filter, Fit, Select, Settings, Warp};
 
 /// Settings with a name and a source.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +54,21 @@ pub const PRESETS: &[Preset] = &[
         name: "zhang-ssm-1024",
         source: "Zhang et al. 2006, §4: one map of 1024²",
         settings: || zhang(1, 1024),
+    },
+    Preset {
+        name: "zhang-psm-1024",
+        source: "Zhang et al. 2006, §4: one map of 1024², PSM",
+        settings: || Settings { warp: Warp::Psm, ..zhang(1, 1024) },
+    },
+    Preset {
+        name: "zhang-lispsm-1024",
+        source: "Zhang et al. 2006, §4: one map of 1024², LiSPSM",
+        settings: || Settings { warp: Warp::Lispsm, ..zhang(1, 1024) },
+    },
+    Preset {
+        name: "zhang-tsm-1024",
+        source: "Zhang et al. 2006, §4: one map of 1024², TSM",
+        settings: || Settings { warp: Warp::Tsm, ..zhang(1, 1024) },
     },
     Preset {
         name: "zhang-pssm2-512",

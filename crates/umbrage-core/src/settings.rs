@@ -13,8 +13,10 @@ pub const MAX_LIGHTS: usize = 16;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Settings {
-    /// Into how many slices the camera's depth is cut, 1 to 9; 1 is an ordinary shadow map.
+    /// Into how many slices the camera's depth is cut for a sun, 1 to 9; 1 is an ordinary shadow map.
     pub splits: u32,
+    /// The same for a spot light, of the depth that it reaches.
+    pub spot_splits: u32,
     /// How the cuts are placed.
     pub scheme: Scheme,
     /// For [`Scheme::Practical`]: 0 is uniform, 1 is logarithmic.
@@ -40,8 +42,13 @@ pub struct Settings {
     /// Whether casters between the light and a view's box are flattened onto its near plane. Where not, the near plane
     /// is moved toward the light instead, and depth is coarser.
     pub unclipped_depth: bool,
+    /// How a map's texels are spent on what is near the eye.
+    pub warp: Warp,
     /// How a receiver finds its view.
     pub select: Select,
+    /// What share of a slice's depth is cross-faded into the next one, 0 to 1; the last one fades to lit. By map, what
+    /// share of the map's half width.
+    pub blend: f32,
     /// How a map is read.
     pub filter: Filter,
     /// What keeps surfaces from shadowing themselves.
@@ -86,7 +93,9 @@ impl DepthFormat {
     /// How much a stored depth may differ from the one that was drawn, of a range of 1. Lookups stand off by it.
     pub fn step(self) -> f32 {
         match self {
-            Self::F32 => 0.0, // what 32 bits round is in the default's constant bias
+            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; a
+            // lamp's depth is steep far away, and there it counts.
+            Self::F32 => f32::EPSILON,
             Self::U16 => 1.0 / 65535.0,
         }
     }
@@ -112,6 +121,20 @@ pub enum Fit {
     View,
     /// A sphere around the slice, moved by whole texels: edges hold still under any camera motion.
     Stable,
+}
+
+/// How a map's texels are spent on what is near the eye. Works in every split, and for suns and spots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Warp {
+    /// Evenly.
+    None,
+    /// As the camera's own perspective does (Stamminger & Drettakis 2002).
+    Psm,
+    /// With the least largest error over the depth (Wimmer, Scherzer & Purgathofer 2004).
+    Lispsm,
+    /// Four fifths of the map for the nearest part (Martin & Tan 2004).
+    Tsm,
 }
 
 /// How a receiver finds its view.
@@ -208,7 +231,8 @@ fn full_darkness() -> f32 {
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            splits: 4, // each more buys less: storage factor 1543, 231, 92, 53 for 2, 3, 4, 5 at f/n = 800
+            splits: 4,      // each more buys less: storage factor 1543, 231, 92, 53 for 2, 3, 4, 5 at f/n = 800
+            spot_splits: 1, // a spot reaches little of the view
             scheme: Scheme::Practical,
             lambda: 0.8, // the least error over all built-in worlds, docs/decisions/0007; the sources take 0.5
             split_bias: 0.0,
@@ -220,6 +244,8 @@ impl Default for Settings {
             storage: Storage::Array,
             fit: Fit::Scene,
             unclipped_depth: true,
+            warp: Warp::None,
+            blend: 0.0,
             select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
             filter: Filter::Bilinear {},
             bias: Bias::default(),
@@ -265,6 +291,7 @@ impl Settings {
     pub fn validate(&self) -> Result<(), SettingsError> {
         let Self {
             splits,
+            spot_splits,
             scheme,
             lambda,
             split_bias,
@@ -274,21 +301,32 @@ impl Settings {
             resolution,
             depth: _,
             storage: _,
-            fit: _,
+            fit,
             unclipped_depth: _,
+            warp,
             select: _,
+            blend,
             filter,
             bias,
             shade,
         } = self;
         let positive = "a positive number of metres";
         check("splits", f64::from(*splits), 1.0, MAX_SPLITS as f64, "from 1 to 9")?;
+        check("spot_splits", f64::from(*spot_splits), 1.0, MAX_SPLITS as f64, "from 1 to 9")?;
+        check("blend", f64::from(*blend), 0.0, 1.0, "from 0 to 1")?;
         check("lambda", f64::from(*lambda), 0.0, 1.0, "from 0 to 1")?;
         check("split_bias", f64::from(*split_bias), 0.0, 1e6, "from 0 to 1000000 metres")?;
         for (key, value) in [("distance", distance), ("near", near)] {
             check(key, value.map_or(1.0, f64::from), f64::from(f32::MIN_POSITIVE), 1e9, positive)?;
         }
-        check("resolution", f64::from(*resolution), 16.0, 16384.0, "from 16 to 16384 texels")?;
+        check_resolution(*resolution)?;
+        if *fit == Fit::Stable && *warp != Warp::None {
+            return Err(SettingsError::Conflict {
+                this: "`fit = \"stable\"`",
+                other: "a `warp`",
+                why: "a warp follows the camera, and a stable map does not",
+            });
+        }
         if *scheme == Scheme::Manual {
             let rises =
                 manual.windows(2).all(|w| w[0] < w[1]) && manual.iter().all(|d| *d > 0.0 && d.is_finite());
@@ -348,6 +386,11 @@ impl Bias {
     }
 }
 
+/// Whether a tile may have so many texels a side.
+pub(crate) fn check_resolution(texels: u32) -> Result<(), SettingsError> {
+    check("resolution", f64::from(texels), 16.0, 16384.0, "from 16 to 16384 texels")
+}
+
 /// NaN is outside every range.
 fn check(
     key: &'static str,
@@ -377,12 +420,24 @@ mod tests {
         let default = Settings::default;
         assert_eq!(key(Settings { splits: 0, ..default() }), "splits");
         assert_eq!(key(Settings { splits: 10, ..default() }), "splits");
+        assert_eq!(key(Settings { spot_splits: 0, ..default() }), "spot_splits");
+        assert_eq!(key(Settings { blend: 1.5, ..default() }), "blend");
         assert_eq!(key(Settings { lambda: f32::NAN, ..default() }), "lambda");
         assert_eq!(key(Settings { resolution: 8, ..default() }), "resolution");
         assert_eq!(key(Settings { distance: Some(-1.0), ..default() }), "distance");
         assert_eq!(key(Settings { filter: Filter::Pcf { size: 4 }, ..default() }), "filter.size");
         assert_eq!(key(Settings { bias: Bias { normal: -1.0, ..Bias::NONE }, ..default() }), "bias.normal");
         assert_eq!(key(Settings { shade: Shade::Absence { darkness: 2.0 }, ..default() }), "shade.darkness");
+    }
+
+    #[test]
+    fn a_stable_map_cannot_be_warped() {
+        let settings = Settings { fit: Fit::Stable, warp: Warp::Lispsm, ..Settings::default() };
+        let text = settings.validate().map_err(|error| error.to_string());
+        assert_eq!(
+            text,
+            Err("`fit = \"stable\"` excludes a `warp`, since a warp follows the camera, and a stable map does not; change one of them".to_owned())
+        );
     }
 
     #[test]

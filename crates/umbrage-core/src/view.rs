@@ -5,7 +5,13 @@ use std::ops::Range;
 use glam::{DVec3, Mat4};
 
 use crate::cull::ConvexVolume;
-use crate::settings::{DepthFormat, Settings, Storage};
+use crate::error::SettingsError;
+use crate::few::Few;
+use crate::light::{FACES, Light, Rays};
+use crate::settings::{DepthFormat, MAX_LIGHTS, MAX_SPLITS, Settings, Storage, check_resolution};
+
+/// The most views that a plan can have.
+pub(crate) const MAX_VIEWS: usize = MAX_LIGHTS * MAX_SPLITS;
 
 /// One shadow map, or one tile of an atlas. Everything after planning only ever sees these.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,13 +24,14 @@ pub struct ShadowView {
     pub casters: ConvexVolume,
     /// Which light of the plan it belongs to.
     pub light: usize,
-    /// Which split it serves.
+    /// Which split it serves, or which face of a point light's cube: +X, −X, +Y, −Y, +Z, −Z.
     pub split: usize,
     /// The view depths it serves, metres.
     pub depths: Range<f32>,
-    /// The larger side of a texel on a receiver that faces the light, metres.
+    /// The longer side of its largest texel on a receiver that faces the light, metres. Texels are all as large where
+    /// there is neither a warp nor a cone; [`Self::texel_at`] knows them one by one.
     pub texel_metres: f32,
-    /// How much one unit of its depth is, metres along the light.
+    /// From its near plane to its far one along the light's axis, metres.
     pub depth_metres: f32,
     /// Where it lies.
     pub tile: Tile,
@@ -36,7 +43,11 @@ impl ShadowView {
     /// Whether the map covers `point`, give or take `slack` in clip units; what lies before the near plane counts as
     /// covered where depth is unclipped.
     pub fn covers(&self, point: DVec3, slack: f64) -> bool {
-        let clip = self.clip_from_world.as_dmat4().project_point3(point);
+        let clip = self.clip_from_world.as_dmat4() * point.extend(1.0);
+        if clip.w <= 0.0 {
+            return false;
+        }
+        let clip = clip / clip.w;
         let near = if self.unclipped_depth { f64::NEG_INFINITY } else { -slack };
         clip.x.abs() <= 1.0 + slack && clip.y.abs() <= 1.0 + slack && clip.z >= near && clip.z <= 1.0 + slack
     }
@@ -55,15 +66,13 @@ pub struct Tile {
     pub size: u32,
 }
 
-/// How the views' tiles are arranged in one texture.
+/// The texture that holds the views' tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MapLayout {
-    /// Side of a tile, texels.
-    pub tile_size: u32,
-    /// Tiles side by side.
-    pub columns: u32,
-    /// Tiles above each other.
-    pub rows: u32,
+    /// Texels.
+    pub width: u32,
+    /// Texels.
+    pub height: u32,
     /// Array layers.
     pub layers: u32,
     /// What a texel is.
@@ -71,66 +80,137 @@ pub struct MapLayout {
 }
 
 impl MapLayout {
-    /// The arrangement of `views` tiles: one a layer, or as near to a square as can be.
-    pub fn new(settings: &Settings, views: u32) -> Self {
-        let views = views.max(1);
-        let (columns, rows, layers) = match settings.storage {
-            Storage::Array => (1, 1, views),
-            Storage::Atlas => {
-                let columns = (1..).find(|c| c * c >= views).unwrap_or(views);
-                (columns, views.div_ceil(columns), 1)
-            }
-        };
-        Self { tile_size: settings.resolution, columns, rows, layers, depth: settings.depth }
+    /// The texture that the views of such lights need.
+    ///
+    /// # Errors
+    /// When a light's resolution is out of range.
+    pub fn of_lights(settings: &Settings, lights: &[Light]) -> Result<Self, SettingsError> {
+        let sizes = tile_sizes(settings, lights)?;
+        Ok(arrange(settings.storage, settings.depth, &sizes, &mut [Tile::default(); MAX_VIEWS]))
     }
 
-    /// The tile of the view at `index`.
-    pub fn tile(&self, index: u32) -> Tile {
-        let size = self.tile_size;
-        let in_layer = self.columns * self.rows;
-        let place = index % in_layer;
-        Tile { layer: index / in_layer, x: place % self.columns * size, y: place / self.columns * size, size }
+    /// The texture that the views of one sun need.
+    pub fn of_sun(settings: &Settings) -> Self {
+        let sizes = [settings.resolution; MAX_SPLITS];
+        let sizes = &sizes[..MAX_SPLITS.min(settings.splits as usize)];
+        arrange(settings.storage, settings.depth, sizes, &mut [Tile::default(); MAX_SPLITS])
     }
 
-    /// Width of the texture, texels.
-    pub fn width(&self) -> u32 {
-        self.columns * self.tile_size
+    /// Whether it has room for all of another.
+    pub fn holds(&self, other: &Self) -> bool {
+        self.width >= other.width && self.height >= other.height && self.layers >= other.layers
     }
 
-    /// Height of the texture, texels.
-    pub fn height(&self) -> u32 {
-        self.rows * self.tile_size
-    }
-
-    /// Texels in all, unused tiles included.
+    /// Texels in all, unused ones included.
     pub fn texels(&self) -> u64 {
-        u64::from(self.width()) * u64::from(self.height()) * u64::from(self.layers)
+        u64::from(self.width) * u64::from(self.height) * u64::from(self.layers)
     }
 
-    /// Bytes in all, unused tiles included.
+    /// Bytes in all, unused texels included.
     pub fn bytes(&self) -> u64 {
         self.texels() * self.depth.bytes()
     }
 }
 
+impl Light {
+    /// How many shadow views it makes.
+    pub fn views(&self, settings: &Settings) -> u32 {
+        match self.rays {
+            Rays::Directional { .. } => settings.splits,
+            Rays::Spot { .. } => settings.spot_splits,
+            Rays::Point { .. } => FACES,
+        }
+    }
+
+    /// Texels a side of its tiles.
+    pub(crate) fn tile_size(&self, settings: &Settings) -> Result<u32, SettingsError> {
+        let size = self.resolution.unwrap_or(settings.resolution);
+        check_resolution(size).map(|()| size)
+    }
+}
+
+/// Of all views that such lights make, in their order.
+pub(crate) fn tile_sizes(
+    settings: &Settings,
+    lights: &[Light],
+) -> Result<Few<u32, MAX_VIEWS>, SettingsError> {
+    let mut sizes = Few::default();
+    for light in lights {
+        let size = light.tile_size(settings)?;
+        for _ in 0..light.views(settings) {
+            let _has_room = sizes.push(size);
+        }
+    }
+    Ok(sizes)
+}
+
+/// Gives tiles of these sizes places in one texture: one a layer, or side by side.
+///
+/// Side by side, a cell as large as the largest tile is cut in four, and those again, down to the smallest tile; larger
+/// tiles come first, so each begins where it may (a buddy allocator that never frees). Cells lie as near to a square as
+/// can be. The same sizes always give the same places.
+pub(crate) fn arrange(storage: Storage, depth: DepthFormat, sizes: &[u32], tiles: &mut [Tile]) -> MapLayout {
+    let largest = sizes.iter().copied().max().unwrap_or(16).max(1);
+    let smallest = sizes.iter().copied().min().unwrap_or(largest).max(1);
+    let count = sizes.len().max(1) as u32;
+    if storage == Storage::Array {
+        for (layer, (tile, size)) in tiles.iter_mut().zip(sizes).enumerate() {
+            *tile = Tile { layer: layer as u32, x: 0, y: 0, size: *size };
+        }
+        return MapLayout { width: largest, height: largest, layers: count, depth };
+    }
+    let levels = (largest / smallest).ilog2();
+    // In pieces of the least size; a tile of level l has 4^(levels − l) of them.
+    let pieces = |size: u32| 1u64 << (2 * (levels - (largest / size).ilog2()));
+    let in_cell = pieces(largest);
+    let cells = sizes.iter().map(|size| pieces(*size)).sum::<u64>().div_ceil(in_cell).max(1) as u32;
+    let columns = (1..).find(|c| c * c >= cells).unwrap_or(cells);
+    let mut next = 0;
+    for level in 0..=levels {
+        for (tile, &size) in
+            tiles.iter_mut().zip(sizes).filter(|(_, size)| (largest / **size).ilog2() == level)
+        {
+            let (cell, inside) = ((next / in_cell) as u32, next % in_cell);
+            let [x, y] = [inside, inside >> 1].map(|bits| every_second_bit(bits) * largest / (1 << levels));
+            *tile = Tile { layer: 0, x: cell % columns * largest + x, y: cell / columns * largest + y, size };
+            next += pieces(size);
+        }
+    }
+    MapLayout { width: columns * largest, height: cells.div_ceil(columns) * largest, layers: 1, depth }
+}
+
+/// Bits 0, 2, 4 … as a number (Morton 1966).
+fn every_second_bit(bits: u64) -> u32 {
+    (0..16).map(|i| ((bits >> (2 * i) & 1) as u32) << i).sum()
+}
+
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
-    #[test]
-    fn tiles_lie_inside_and_apart() {
-        for storage in [Storage::Array, Storage::Atlas] {
-            for views in 1..=20 {
-                let settings = Settings { storage, resolution: 64, ..Settings::default() };
-                let layout = MapLayout::new(&settings, views);
-                let tiles: Vec<Tile> = (0..views).map(|i| layout.tile(i)).collect();
-                for (i, a) in tiles.iter().enumerate() {
-                    assert!(
-                        a.x + a.size <= layout.width() && a.y + a.size <= layout.height(),
-                        "{a:?} in {layout:?}"
-                    );
-                    assert!(a.layer < layout.layers, "{a:?} in {layout:?}");
-                    assert!(!tiles[..i].contains(a), "{a:?} comes twice in {layout:?}");
+    fn places(storage: Storage, sizes: &[u32]) -> (MapLayout, Vec<Tile>) {
+        let mut tiles = vec![Tile::default(); sizes.len()];
+        let layout = arrange(storage, DepthFormat::F32, sizes, &mut tiles);
+        (layout, tiles)
+    }
+
+    proptest! {
+        #[test]
+        fn tiles_lie_inside_and_apart(
+            sizes in proptest::collection::vec(16u32..2000, 0..40), is_atlas in any::<bool>(),
+        ) {
+            let storage = if is_atlas { Storage::Atlas } else { Storage::Array };
+            let (layout, tiles) = places(storage, &sizes);
+            for (i, a) in tiles.iter().enumerate() {
+                prop_assert_eq!(a.size, sizes[i]);
+                prop_assert!(a.x + a.size <= layout.width && a.y + a.size <= layout.height, "{:?} in {:?}", a, layout);
+                prop_assert!(a.layer < layout.layers, "{:?} in {:?}", a, layout);
+                for b in &tiles[..i] {
+                    let apart = a.layer != b.layer
+                        || a.x + a.size <= b.x || b.x + b.size <= a.x || a.y + a.size <= b.y || b.y + b.size <= a.y;
+                    prop_assert!(apart, "{:?} and {:?} overlap in {:?}", a, b, layout);
                 }
             }
         }
@@ -139,8 +219,22 @@ mod tests {
     #[test]
     fn four_maps_of_1024_are_16_mib_either_way() {
         for storage in [Storage::Array, Storage::Atlas] {
-            let layout = MapLayout::new(&Settings { storage, ..Settings::default() }, 4);
+            let (layout, _) = places(storage, &[1024; 4]);
             assert_eq!((layout.texels(), layout.bytes()), (4 << 20, 16 << 20), "{storage:?}");
         }
+    }
+
+    #[test]
+    fn an_atlas_is_as_near_to_a_square_as_can_be_and_small_tiles_share_a_cell() {
+        let (layout, _) = places(Storage::Atlas, &[256; 5]);
+        assert_eq!((layout.width, layout.height), (3 * 256, 2 * 256));
+        let (layout, tiles) = places(Storage::Atlas, &[256, 512, 256, 256, 256]);
+        assert_eq!(
+            (layout.width, layout.height),
+            (1024, 512),
+            "one cell for the large one, one for the others"
+        );
+        assert_eq!((tiles[0].x, tiles[0].y), (512, 0));
+        assert_eq!((tiles[4].x, tiles[4].y), (768, 256));
     }
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::error::Wrong;
 use crate::truth::{Receiver, shadow_ray};
-use crate::{Ray, Truth, World};
+use crate::{Truth, World};
 
 /// Shares of judged pixels that are wrong, by cause. They add up to all that is wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -59,8 +59,12 @@ pub(crate) fn cause(
     texel_metres: f32,
     edge_distance: f32,
 ) -> Cause {
+    let Some(toward) = truth.light.toward(receiver.position) else {
+        return Cause::Other;
+    };
+    let to_light = toward.direction;
     let texel = f64::from(texel_metres);
-    let cosine = receiver.normal.dot(truth.sun.to_light).clamp(1e-3, 1.0);
+    let cosine = receiver.normal.dot(to_light).clamp(1e-3, 1.0);
     let tangent = (1.0 - cosine * cosine).sqrt() / cosine;
     let pixels_a_texel = texel / cosine / truth.eye.pixel_metres(receiver.depth);
     if texel == 0.0 && wrong == Wrong::FalseLight {
@@ -70,9 +74,7 @@ pub(crate) fn cause(
         return Cause::Edge;
     }
     match wrong {
-        Wrong::FalseShadow if is_own_surface(world, truth.sun.to_light, receiver, texel, tangent) => {
-            Cause::Acne
-        }
+        Wrong::FalseShadow if is_own_surface(world, truth, receiver, to_light, texel, tangent) => Cause::Acne,
         Wrong::FalseShadow => Cause::Other,
         Wrong::FalseLight if blocker_distance(world, truth, receiver) < 4.0 * texel * tangent.max(1.0) => {
             Cause::Detach
@@ -84,7 +86,14 @@ pub(crate) fn cause(
 
 /// Whether what the light sees within two texels of a receiver is everywhere about as far from it as the receiver: then
 /// only its own surface can have shadowed it.
-fn is_own_surface(world: &World, to_light: DVec3, receiver: &Receiver, texel: f64, tangent: f64) -> bool {
+fn is_own_surface(
+    world: &World,
+    truth: &Truth,
+    receiver: &Receiver,
+    to_light: DVec3,
+    texel: f64,
+    tangent: f64,
+) -> bool {
     let (right, up) = to_light.any_orthonormal_pair();
     // Twice the depth that a plane gains over the corner of such a square.
     let tolerance = 8.0 * texel * tangent.max(1.0) * std::f64::consts::SQRT_2;
@@ -92,13 +101,14 @@ fn is_own_surface(world: &World, to_light: DVec3, receiver: &Receiver, texel: f6
     steps.iter().all(|x| {
         steps.iter().all(|y| {
             let beside = receiver.position + (right * *x + up * *y) * texel;
-            !world.is_blocked(&Ray::new(beside + to_light * tolerance, to_light), 0.0)
+            let (ray, end) = truth.light.ray_from(beside, 1.0);
+            !world.is_blocked(&ray, tolerance, end)
         })
     })
 }
 
-/// How far from a receiver the nearest thing toward the light is, metres; infinite where there is none.
+/// How far from a receiver the nearest thing on the way to the light is, metres; infinite where there is none.
 fn blocker_distance(world: &World, truth: &Truth, receiver: &Receiver) -> f64 {
-    let ray = shadow_ray(receiver, truth.sun.to_light, 1.0);
-    world.first_hit(&ray, 0.0, f64::INFINITY).map_or(f64::INFINITY, |hit| hit.distance)
+    let (ray, end) = shadow_ray(&truth.light, receiver, 1.0);
+    world.first_hit(&ray, 0.0, end).map_or(f64::INFINITY, |hit| hit.distance)
 }

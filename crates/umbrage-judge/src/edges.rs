@@ -69,7 +69,9 @@ fn side_length(truth: &Truth, x: usize, y: usize, (dx, dy): (usize, usize)) -> f
             let lit = match truth.pixels[(j * width + i) as usize] {
                 Pixel::Lit => 1.0,
                 Pixel::Shadowed => 0.0,
-                Pixel::Sky | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => continue,
+                Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => {
+                    continue;
+                }
             };
             let offset = glam::Vec2::new(i as f32 - centre_x, j as f32 - centre_y);
             let weight = (-offset.length_squared() / 6.0).exp();
@@ -137,7 +139,7 @@ mod tests {
     use umbrage_scene::Camera;
 
     use super::*;
-    use crate::{Eye, Sun};
+    use crate::{Eye, Light};
 
     /// A truth made up from a rule.
     fn truth(width: u32, height: u32, is_lit: impl Fn(f64, f64) -> bool) -> Truth {
@@ -147,7 +149,12 @@ mod tests {
             .map(|lit| if lit { Pixel::Lit } else { Pixel::Shadowed })
             .collect();
         let receivers = vec![None; (width * height) as usize];
-        Truth { eye: Eye::new(&camera, width, height), sun: Sun::along(glam::Vec3::NEG_Y), receivers, pixels }
+        Truth {
+            eye: Eye::new(&camera, width, height),
+            light: Light::sun(glam::Vec3::NEG_Y),
+            receivers,
+            pixels,
+        }
     }
 
     #[test]

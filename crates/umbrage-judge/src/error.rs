@@ -14,7 +14,7 @@ use crate::{Edges, Pixel, Smooth, Truth, World};
 pub struct Claim<'a> {
     /// Visibility of every pixel, 0 to 1.
     pub visibility: &'a [f32],
-    /// How large a texel is that each pixel's shadow was read from, metres, on a plane that faces the light; 0 where no
+    /// How large a texel is that each pixel's shadow was read from, metres, on a plane there that faces the light; 0 where no
     /// map serves the pixel.
     pub texel_metres: &'a [f32],
 }

@@ -1,16 +1,18 @@
 //! Exact shadows by tracing rays, and how wrong other shadows are.
 //!
-//! [`World`] is a scene at one time as triangles in a tree. [`Truth`] is what a camera sees of it: for every pixel the
-//! first surface, and whether the sun reaches it. [`Error`] compares a claim with the truth: how many pixels are wrongly
-//! shadowed, which way, by how many pixels edges are displaced, and why. [`temporal`] does the same for a claim that
-//! changes from frame to frame, and [`statistics`] says how sure a figure is.
+//! [`World`] is a scene at one time as triangles in a tree. [`Light`] is a sun, a spot or a point. [`Truth`] is what a
+//! camera sees of a world by a light: for every pixel the first surface, and whether the light reaches it. [`Error`]
+//! compares a claim with the truth: how many pixels are wrongly shadowed, which way, by how many pixels edges are
+//! displaced, and why. [`temporal`] does the same for a claim that changes from frame to frame, and [`statistics`] says
+//! how sure a figure is.
 //!
 //! Positions are in world space, metres; arithmetic is f64. Visibility is 1 for lit and 0 for shadowed. Pictures are
 //! rows of pixels from top to bottom.
 //!
 //! This crate does not: know a shadow map, a plan or a setting, draw, or touch a GPU. It shares no code with what it
-//! judges: cameras and suns are descriptions, and it makes its own rays of them. It knows suns only, no spot or point
-//! lights, and no transparent surfaces: what has triangles casts a whole shadow.
+//! judges: cameras and lights are descriptions, and it makes its own rays of them. It knows no area lights but as points
+//! sampled on a disc ([`soft`]), not how strong a light is, and no transparent surfaces: what has triangles casts a whole
+//! shadow.
 
 pub mod statistics;
 pub mod temporal;
@@ -20,8 +22,9 @@ mod edges;
 mod error;
 mod eye;
 mod flip;
+mod light;
+mod pool;
 mod smooth;
-mod sun;
 mod triangle;
 mod truth;
 mod world;
@@ -31,8 +34,9 @@ pub use edges::Edges;
 pub use error::{Claim, DepthBand, Error};
 pub use eye::{Eye, jittered};
 pub use flip::flip_mean;
+pub use light::{Light, Toward};
+pub use pool::Part;
 pub use smooth::{Smooth, soft, sub_pixel};
-pub use sun::Sun;
 pub use triangle::Ray;
 pub use truth::{Pixel, Receiver, Truth};
 pub use world::{Hit, World};

@@ -1,9 +1,12 @@
-//! Truth between lit and shadowed: the mean over a pixel's area, and over the sun's disc.
+//! Truth between lit and shadowed: the mean over a pixel's area, and over the light's disc.
 
+use std::borrow::Cow;
+
+use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::truth::{Receiver, faces, receiver, shadow_ray};
-use crate::{Truth, World};
+use crate::truth::{Receiver, can_be_lit, is_shadowed, receiver};
+use crate::{Light, Toward, Truth, World};
 
 /// Visibility from 0 to 1 for every pixel; 1 where nothing is judged.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,19 +17,19 @@ pub struct Smooth {
     pub standard_error: Vec<f32>,
 }
 
-/// The share of each judged pixel's area that the sun reaches: the mean over `side` × `side` points of it. Points on the
-/// sky or on surfaces that are turned away from the sun do not count.
+/// The share of each judged pixel's area that the light reaches: the mean over `side` × `side` points of it. Points on
+/// the sky, on surfaces that are turned away from the light, or where the light does not shine do not count.
 pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
-    let Truth { eye, sun, .. } = truth;
+    let Truth { eye, light, .. } = truth;
     let width = eye.width as usize;
     let visibility = per_judged_pixel(truth, |i, _| {
         let (mut lit, mut points) = (0u32, 0u32);
         for j in 0..side * side {
             let place = |pixel: usize, step: u32| pixel as f64 + (f64::from(step) + 0.5) / f64::from(side);
             let ray = eye.ray(place(i % width, j % side), place(i / width, j / side));
-            if let Some(receiver) = receiver(world, eye, &ray).filter(|r| faces(r, sun.to_light)) {
+            if let Some(receiver) = receiver(world, eye, &ray).filter(|r| can_be_lit(light, r)) {
                 points += 1;
-                lit += u32::from(!world.is_blocked(&shadow_ray(&receiver, sun.to_light, 1.0), 0.0));
+                lit += u32::from(!is_shadowed(world, light, &receiver, 1.0));
             }
         }
         (lit as f32 / points.max(1) as f32, 0.0)
@@ -34,33 +37,43 @@ pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
     split(visibility)
 }
 
-/// How much of the sun's disc reaches each judged pixel: the mean over `samples` points of the disc, rounded up to a
+/// How much of the light's disc reaches each judged pixel: the mean over `samples` points of the disc, rounded up to a
 /// multiple of 8. The points are the same for every pixel: the Sobol sequence, eight times, each time shifted otherwise,
 /// so that the spread of the eight means gives the standard error.
 ///
-/// `half_angle` is half the angle that the sun is seen under, radians.
-pub fn soft(world: &World, truth: &Truth, half_angle: f64, samples: u32) -> Smooth {
+/// `radius` is that of the light: for a sun half the angle that it is seen under, radians (0.00463 for ours); for spot and
+/// point lights metres, of a disc that faces each receiver.
+pub fn soft(world: &World, truth: &Truth, radius: f64, samples: u32) -> Smooth {
     let sets = disc_points(samples.div_ceil(SETS));
-    let directions: Vec<Vec<_>> = sets
-        .iter()
-        .map(|set| set.iter().map(|(x, y)| truth.sun.to_point(half_angle, *x, *y)).collect())
-        .collect();
+    let places = |toward: Toward| -> Vec<Vec<Light>> {
+        let disc = truth.light.disc(&toward, radius);
+        sets.iter().map(|set| set.iter().map(|(x, y)| disc(*x, *y)).collect()).collect()
+    };
+    // A sun's are the same from everywhere.
+    let shared = match truth.light {
+        Light::Sun { .. } => truth.light.toward(DVec3::ZERO).map(places),
+        Light::Spot { .. } | Light::Point { .. } => None,
+    };
     let visibility = per_judged_pixel(truth, |_, receiver| {
-        let means: Vec<f64> = directions
-            .iter()
-            .map(|set| {
-                let reaches = |to_light: &&glam::DVec3| {
-                    faces(receiver, **to_light)
-                        && !world.is_blocked(&shadow_ray(receiver, **to_light, 1.0), 0.0)
-                };
-                set.iter().filter(reaches).count() as f64 / set.len().max(1) as f64
-            })
-            .collect();
-        let interval = crate::statistics::Interval::of(means);
-        (interval.mean() as f32, interval.standard_error() as f32)
+        let own = || truth.light.toward(receiver.position).map(places).map(Cow::Owned);
+        match shared.as_ref().map(Cow::Borrowed).or_else(own) {
+            Some(places) => share_reached(world, receiver, &places),
+            None => NOT_JUDGED,
+        }
     });
     split(visibility)
 }
+
+/// The share of some lights that reaches a receiver, and its standard error: that of the mean of the sets' own shares.
+fn share_reached(world: &World, receiver: &Receiver, sets: &[Vec<Light>]) -> (f32, f32) {
+    let reaches = |light: &&Light| can_be_lit(light, receiver) && !is_shadowed(world, light, receiver, 1.0);
+    let share = |set: &Vec<Light>| set.iter().filter(reaches).count() as f64 / set.len().max(1) as f64;
+    let interval = crate::statistics::Interval::of(sets.iter().map(share).collect());
+    (interval.mean() as f32, interval.standard_error() as f32)
+}
+
+/// The visibility, and its standard error, where nothing is judged.
+const NOT_JUDGED: (f32, f32) = (1.0, 0.0);
 
 /// How many independent sets of points a soft truth is made of.
 const SETS: u32 = 8;
@@ -104,7 +117,7 @@ fn per_judged_pixel(
         .into_par_iter()
         .map(|i| match truth.receivers[i].filter(|_| truth.pixels[i].is_judged()) {
             Some(receiver) => visibility(i, &receiver),
-            None => (1.0, 0.0),
+            None => NOT_JUDGED,
         })
         .collect()
 }

@@ -1,13 +1,13 @@
 //! What changes from frame to frame and should not.
 //!
 //! The same points of the world are asked for in every frame of a path; they are chosen once, on surfaces that stand
-//! still ([`anchors`]). Where the sun and the casters stand still too, the truth never changes, and
+//! still ([`anchors`]). Where the light and the casters stand still too, the truth never changes, and
 //! every change of the claim is wrong.
 
 use glam::DVec3;
 
-use crate::truth::{faces, receiver, shadow_ray};
-use crate::{Eye, Sun, World};
+use crate::truth::{can_be_lit, is_shadowed, receiver};
+use crate::{Eye, Light, World};
 
 /// A point on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Flicker {
     pub points: usize,
     /// Frames that they were looked at in.
     pub frames: usize,
-    /// How often a point was in sight in two frames in a row; all rates are of these.
+    /// How often a point was in sight, and the light shone at it, in two frames in a row; all rates are of these.
     pub pairs: usize,
     /// Changes between lit and shadowed that the truth does not make, all points and frames together.
     pub flips: usize,
@@ -53,12 +53,12 @@ pub struct Flicker {
     pub pop_frame: usize,
 }
 
-/// Up to `count` points of the world, evenly spread over the pictures of some eyes, on surfaces that face the sun and
-/// that `keep` wants (by the index of their triangle).
+/// Up to `count` points of the world, evenly spread over the pictures of some eyes, on surfaces that the
+/// light shines at and that face it, and that `keep` wants (by the index of their triangle).
 pub fn anchors(
     world: &World,
     eyes: &[Eye],
-    sun: &Sun,
+    light: &Light,
     count: usize,
     keep: impl Fn(usize) -> bool,
 ) -> Vec<Anchor> {
@@ -70,23 +70,27 @@ pub fn anchors(
         let y = place(i, 0.569_840_290_998_053_2) * f64::from(eye.height);
         receiver(world, eye, &eye.ray(x, y))
     });
-    let wanted = pixels.filter(|receiver| keep(receiver.triangle) && faces(receiver, sun.to_light));
+    let wanted = pixels.filter(|receiver| keep(receiver.triangle) && can_be_lit(light, receiver));
     wanted.map(|receiver| Anchor { position: receiver.position, normal: receiver.normal }).collect()
 }
 
-/// The true visibility of points at one time.
-pub fn visibility(world: &World, sun: &Sun, anchors: &[Anchor]) -> Vec<f32> {
+/// The true visibility of points at one time; NaN where the light does not shine.
+pub fn visibility(world: &World, light: &Light, anchors: &[Anchor]) -> Vec<f32> {
     use rayon::prelude::*;
-    let lit = |anchor: &Anchor| {
+    let visibility = |anchor: &Anchor| {
         let receiver =
             crate::Receiver { position: anchor.position, normal: anchor.normal, depth: 0.0, triangle: 0 };
-        !world.is_blocked(&shadow_ray(&receiver, sun.to_light, 1.0), 0.0)
+        match light.toward(anchor.position) {
+            Some(_) => f32::from(u8::from(!is_shadowed(world, light, &receiver, 1.0))),
+            None => f32::NAN,
+        }
     };
-    anchors.par_iter().map(|anchor| f32::from(u8::from(lit(anchor)))).collect()
+    anchors.par_iter().map(visibility).collect()
 }
 
 impl Flicker {
-    /// Compares a claim with the true visibility, both of the same points (inner lists) and frames (outer lists).
+    /// Compares a claim with the true visibility, both of the same points (inner lists) and frames (outer lists). Changes
+    /// from and to NaN do not count.
     pub fn new(claim: &[Vec<Seen>], truth: &[Vec<f32>]) -> Self {
         let error: Vec<Vec<f32>> = claim
             .iter()
@@ -98,7 +102,8 @@ impl Flicker {
             let (mut change, mut seen) = (0.0, 0usize);
             for k in 0..claimed[0].len() {
                 let (before, after) = (claimed[0][k], claimed[1][k]);
-                if (before.visibility + after.visibility).is_nan() {
+                let change_of_error = error[t + 1][k] - error[t][k];
+                if change_of_error.is_nan() {
                     continue;
                 }
                 seen += 1;
@@ -107,7 +112,7 @@ impl Flicker {
                     flips += 1;
                     flips_between_maps += usize::from(before.map != after.map);
                 }
-                change += f64::from((error[t + 1][k] - error[t][k]).abs());
+                change += f64::from(change_of_error.abs());
             }
             pairs += seen;
             if change > pop * seen as f64 {
@@ -169,5 +174,36 @@ mod tests {
     fn points_out_of_sight_do_not_count() {
         let flicker = Flicker::new(&claim(&[&[1.0], &[f32::NAN], &[0.0]]), &vec![vec![1.0]; 3]);
         assert_eq!((flicker.flips, flicker.flip_rate, flicker.shimmer), (0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn points_that_the_light_does_not_shine_at_do_not_count() {
+        let truth = [vec![1.0, 1.0], vec![f32::NAN, 1.0], vec![1.0, 1.0]];
+        let flicker = Flicker::new(&claim(&[&[1.0, 1.0], &[0.0, 1.0], &[1.0, 1.0]]), &truth);
+        assert_eq!((flicker.pairs, flicker.flips, flicker.shimmer, flicker.pop), (2, 0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn points_are_chosen_within_a_spots_cone_and_are_nan_outside_of_it() {
+        let corner = |x, z| glam::Vec3::new(x, 0.0, z) * 50.0;
+        let [a, b, c, d] = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)];
+        let world = World::of_triangles(vec![[a, b, c], [a, c, d]]);
+        let above = glam::Vec3::new(0.0, 10.0, 0.0);
+        let camera = umbrage_scene::Camera::looking("c", above, glam::Vec3::ZERO, 1.5, 0.1, 100.0);
+        let spot = |range| Light::Spot {
+            position: DVec3::Y * 4.0,
+            along: DVec3::NEG_Y,
+            // 45°: the cone meets the ground in a circle of 4 m.
+            cos_outer: 0.5f64.sqrt(),
+            range,
+        };
+        let chosen = anchors(&world, &[Eye::new(&camera, 90, 90)], &spot(100.0), 2000, |_| true);
+        assert!(chosen.len() > 200 && chosen.len() < 1500, "{} of 2000", chosen.len());
+        assert!(chosen.iter().all(|anchor| anchor.position.length() < 4.0));
+        // √(4² + 3²) = 5: within a range of 5 m the circle has a radius of 3 m.
+        for (anchor, visibility) in chosen.iter().zip(visibility(&world, &spot(5.0), &chosen)) {
+            assert_eq!(visibility.is_nan(), anchor.position.length() >= 3.0, "at {}", anchor.position);
+            assert!(visibility.is_nan() || visibility == 1.0, "nothing is in the way");
+        }
     }
 }

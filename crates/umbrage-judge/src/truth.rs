@@ -1,13 +1,14 @@
-//! What a camera sees, and whether the sun reaches it: exactly, pixel by pixel.
+//! What a camera sees, and whether the light reaches it: exactly, pixel by pixel.
 //!
-//! A pixel is judged by the ray through its centre: the first triangle it meets, and from there a ray to the sun, lifted
-//! off the surface by ε. Where twice the ε changes the answer, the pixel is ambiguous, and not judged. Nor are pixels
-//! whose surface is turned away from the sun: shading leaves them dark, whatever their shadow.
+//! A pixel is judged by the ray through its centre: the first triangle it meets, and from there a ray to the light, lifted
+//! off the surface by ε. A light that stands in the world may stand on a surface too: the ray ends ε before it. Where
+//! twice the ε changes the answer, the pixel is ambiguous, and not judged. Nor are pixels whose surface is turned away
+//! from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::{Eye, Ray, Sun, World};
+use crate::{Eye, Light, Ray, World};
 
 /// Surfaces whose cosine to the light is at most this are unlit by shading.
 const LEAST_COSINE: f64 = 0.02;
@@ -30,13 +31,15 @@ pub struct Receiver {
 pub enum Pixel {
     /// Nothing is there.
     Sky,
-    /// Its surface does not face the sun.
+    /// The light does not shine here: it is outside its cone, or beyond its range.
+    Unreached,
+    /// Its surface does not face the light.
     TurnedAway,
     /// Its surface is farther away than shadows are asked for.
     Beyond,
-    /// Whether the sun reaches it depends on rounding.
+    /// Whether the light reaches it depends on rounding.
     Ambiguous,
-    /// The sun reaches it.
+    /// The light reaches it.
     Lit,
     /// Something is in the way.
     Shadowed,
@@ -49,13 +52,13 @@ impl Pixel {
     }
 }
 
-/// What a camera sees of a world, and what of it the sun reaches.
+/// What a camera sees of a world, and what of it the light reaches.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// From where.
     pub eye: Eye,
     /// By what light.
-    pub sun: Sun,
+    pub light: Light,
     /// The surface of each pixel.
     pub receivers: Vec<Option<Receiver>>,
     /// What is true of it.
@@ -64,7 +67,7 @@ pub struct Truth {
 
 impl Truth {
     /// Traces every pixel, on all cores. Surfaces deeper than `distance` metres are not judged.
-    pub fn new(world: &World, eye: &Eye, sun: &Sun, distance: f64) -> Self {
+    pub fn new(world: &World, eye: &Eye, light: &Light, distance: f64) -> Self {
         let width = eye.width.max(1) as usize;
         let (receivers, pixels) = (0..width * eye.height as usize)
             .into_par_iter()
@@ -72,10 +75,10 @@ impl Truth {
             .map(|i| {
                 let ray = eye.ray((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
                 let receiver = receiver(world, eye, &ray);
-                (receiver, receiver.map_or(Pixel::Sky, |receiver| pixel(world, sun, &receiver, distance)))
+                (receiver, receiver.map_or(Pixel::Sky, |receiver| pixel(world, light, &receiver, distance)))
             })
             .unzip();
-        Self { eye: *eye, sun: *sun, receivers, pixels }
+        Self { eye: *eye, light: *light, receivers, pixels }
     }
 
     /// How many pixels are so.
@@ -98,25 +101,44 @@ pub(crate) fn receiver(world: &World, eye: &Eye, ray: &Ray) -> Option<Receiver> 
 }
 
 /// Whether a receiver's surface faces a light.
-pub(crate) fn faces(receiver: &Receiver, to_light: DVec3) -> bool {
+fn faces(receiver: &Receiver, to_light: DVec3) -> bool {
     receiver.normal.dot(to_light) > LEAST_COSINE
 }
 
-/// A ray from a receiver to a light, lifted off its surface by so many ε.
-pub(crate) fn shadow_ray(receiver: &Receiver, to_light: DVec3, epsilons: f64) -> Ray {
-    let epsilon = receiver.position.abs().max_element().max(1.0) * 2f64.powi(-18);
-    Ray::new(receiver.position + receiver.normal * (epsilon * epsilons), to_light)
+/// Whether a light shines at a receiver, and the receiver's surface faces it.
+pub(crate) fn can_be_lit(light: &Light, receiver: &Receiver) -> bool {
+    light.toward(receiver.position).is_some_and(|toward| faces(receiver, toward.direction))
 }
 
-fn pixel(world: &World, sun: &Sun, receiver: &Receiver, distance: f64) -> Pixel {
-    if !faces(receiver, sun.to_light) {
+/// The ε at a point, metres: about what its f32 coordinates are worth.
+pub(crate) fn epsilon(point: DVec3) -> f64 {
+    point.abs().max_element().max(1.0) * 2f64.powi(-18)
+}
+
+/// A ray from a receiver to a light, and where it ends, metres: so many ε off the receiver's surface and before the light.
+pub(crate) fn shadow_ray(light: &Light, receiver: &Receiver, epsilons: f64) -> (Ray, f64) {
+    let lifted = receiver.position + receiver.normal * (epsilon(receiver.position) * epsilons);
+    light.ray_from(lifted, epsilons)
+}
+
+/// Whether anything is between a receiver and a light, so many ε off both.
+pub(crate) fn is_shadowed(world: &World, light: &Light, receiver: &Receiver, epsilons: f64) -> bool {
+    let (ray, end) = shadow_ray(light, receiver, epsilons);
+    world.is_blocked(&ray, 0.0, end)
+}
+
+fn pixel(world: &World, light: &Light, receiver: &Receiver, distance: f64) -> Pixel {
+    let Some(toward) = light.toward(receiver.position) else {
+        return Pixel::Unreached;
+    };
+    if !faces(receiver, toward.direction) {
         return Pixel::TurnedAway;
     }
     if receiver.depth > distance {
         return Pixel::Beyond;
     }
-    let blocked = |epsilons| world.is_blocked(&shadow_ray(receiver, sun.to_light, epsilons), 0.0);
-    match (blocked(1.0), blocked(2.0)) {
+    let shadowed = |epsilons| is_shadowed(world, light, receiver, epsilons);
+    match (shadowed(1.0), shadowed(2.0)) {
         (true, true) => Pixel::Shadowed,
         (false, false) => Pixel::Lit,
         _ => Pixel::Ambiguous,

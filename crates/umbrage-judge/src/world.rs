@@ -39,6 +39,7 @@ pub struct Hit {
 
 /// How much larger than its triangle a leaf of the tree is, as a share of the world's largest coordinate. The tree walks
 /// in f32: it must not miss what the f64 test would hit, of rays that begin not much farther out than the world itself.
+/// It looks as much farther than it is asked to, as a share of the distance.
 const MARGIN: f32 = 4.0 * f32::EPSILON;
 
 /// A leaf: a triangle's box, and the margin.
@@ -102,7 +103,7 @@ impl World {
         &self.triangles
     }
 
-    /// The nearest triangle that a ray meets at a distance within `from` to `to`.
+    /// The nearest triangle that a ray meets at a distance within `from` to `to`; not at `to` itself.
     pub fn first_hit(&self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
         let mut first: Option<Hit> = None;
         let walk = self.walk(ray, from, to)?;
@@ -111,7 +112,7 @@ impl World {
             match ray.hit(&self.triangles[triangle]).filter(|d| *d >= from && *d < end) {
                 Some(distance) => {
                     first = Some(Hit { distance, triangle });
-                    (distance as f32).next_up()
+                    walked(distance)
                 }
                 None => f32::INFINITY,
             }
@@ -119,13 +120,14 @@ impl World {
         first
     }
 
-    /// Whether a ray meets any triangle beyond `from`.
-    pub fn is_blocked(&self, ray: &Ray, from: f64) -> bool {
-        let (Some(walk), Some(tree)) = (self.walk(ray, from, f64::INFINITY), &self.tree) else {
+    /// Whether a ray meets any triangle at a distance within `from` to `to`: what is at `to` itself does not count.
+    pub fn is_blocked(&self, ray: &Ray, from: f64, to: f64) -> bool {
+        let (Some(walk), Some(tree)) = (self.walk(ray, from, to), &self.tree) else {
             return false;
         };
         !tree.ray_traverse_miss(walk, |_, triangle| {
-            let hit = ray.hit(&self.triangles[triangle]).is_some_and(|distance| distance >= from);
+            let hit =
+                ray.hit(&self.triangles[triangle]).is_some_and(|distance| distance >= from && distance < to);
             if hit { 0.0 } else { f32::INFINITY }
         })
     }
@@ -140,9 +142,14 @@ impl World {
     fn walk(&self, ray: &Ray, from: f64, to: f64) -> Option<obvhs::ray::Ray> {
         let (origin, direction) = (ray.origin.as_vec3a(), ray.direction.as_vec3a());
         let usable = origin.is_finite() && direction.is_finite() && direction != Vec3A::ZERO;
-        let (from, to) = ((from as f32).next_down().max(0.0), (to as f32).next_up());
-        usable.then(|| obvhs::ray::Ray::new(origin, direction, from, to))
+        let from = (from as f32).next_down().max(0.0);
+        usable.then(|| obvhs::ray::Ray::new(origin, direction, from, walked(to)))
     }
+}
+
+/// A distance at which the tree, which adds in f32, has met all that is nearer than `distance`.
+fn walked(distance: f64) -> f32 {
+    (distance * (1.0 + f64::from(MARGIN))) as f32
 }
 
 #[cfg(test)]
@@ -178,7 +185,30 @@ mod tests {
                 let by_force = brute_force(&world, &ray, from * 0.1, f64::INFINITY);
                 let by_tree = world.first_hit(&ray, from * 0.1, f64::INFINITY);
                 prop_assert_eq!(by_tree.map(|hit| hit.distance), by_force);
-                prop_assert_eq!(world.is_blocked(&ray, from * 0.1), by_force.is_some());
+                prop_assert_eq!(world.is_blocked(&ray, from * 0.1, f64::INFINITY), by_force.is_some());
+                // The end itself does not count, what is the least bit nearer does.
+                if let Some(hit) = by_force {
+                    prop_assert!(!world.is_blocked(&ray, from * 0.1, hit));
+                    prop_assert!(world.is_blocked(&ray, from * 0.1, hit.next_up()));
+                }
+            }
+        }
+
+        #[test]
+        fn the_tree_answers_as_brute_force_does_on_the_way_to_a_point_light(
+            corners in prop::collection::vec((point(20.0), point(10.0), point(10.0)), 1..40),
+            light in point(25.0), origins in prop::collection::vec(point(25.0), 40),
+        ) {
+            let world = World::of_triangles(corners.iter().map(|(a, b, c)| [*a, *a + *b, *a + *c]).collect());
+            // Half of the lights stand on a triangle.
+            let (a, b, c) = corners[0];
+            let position = if light.x < 0.0 { light } else { a + (b + c) / 3.0 };
+            let light = crate::Light::Point { position: position.as_dvec3(), range: f64::INFINITY };
+            for origin in origins {
+                let (ray, end) = light.ray_from(origin.as_dvec3(), 1.0);
+                let by_force = brute_force(&world, &ray, 0.0, end);
+                prop_assert_eq!(world.first_hit(&ray, 0.0, end).map(|hit| hit.distance), by_force);
+                prop_assert_eq!(world.is_blocked(&ray, 0.0, end), by_force.is_some());
             }
         }
     }
@@ -206,7 +236,10 @@ mod tests {
         let ray = Ray::new(DVec3::Y, DVec3::NEG_Y);
         for triangles in [vec![], vec![[Vec3::NAN; 3]], vec![[Vec3::ZERO; 3]]] {
             let world = World::of_triangles(triangles);
-            assert!(!world.is_blocked(&ray, 0.0) && world.first_hit(&ray, 0.0, 9.0).is_none(), "{world:?}");
+            assert!(
+                !world.is_blocked(&ray, 0.0, f64::INFINITY) && world.first_hit(&ray, 0.0, 9.0).is_none(),
+                "{world:?}"
+            );
         }
     }
 }

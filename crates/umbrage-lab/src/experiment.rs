@@ -4,6 +4,7 @@ mod check;
 mod entries;
 mod source;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::de::Error as _;
@@ -48,6 +49,9 @@ pub struct Experiment {
     /// Whether the page shows the pictures of the camera itself.
     #[serde(default = "yes")]
     pub pictures: bool,
+    /// Parts of the pictures that the page shows enlarged too, world by world: left, top, width and height, pixels.
+    #[serde(default)]
+    pub enlarged: BTreeMap<String, [u32; 4]>,
     /// Paths along which flicker is measured; without any, single pictures are.
     #[serde(default)]
     pub motions: Vec<Motion>,

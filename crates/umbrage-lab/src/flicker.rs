@@ -4,11 +4,11 @@
 //! the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
 //! points that something hides are not, for the maps answer for them all the same.
 
-use glam::{Mat4, Quat, Vec3};
+use glam::{Mat4, Vec3};
 use rayon::prelude::*;
 use umbrage::Settings;
 use umbrage_judge::temporal::{Anchor, Flicker, Seen, anchors, visibility};
-use umbrage_judge::{Eye, Sun};
+use umbrage_judge::{Eye, Light};
 use umbrage_render::{Frame, Show};
 use umbrage_scene::{Camera, Instance};
 
@@ -35,7 +35,8 @@ impl Default for Watch {
 const FRAMES_PER_SECOND: f32 = 60.0;
 
 impl Laboratory<'_> {
-    /// Draws the maps of every frame of a path that starts at a shot, and watches points of the world in them.
+    /// Draws the maps of every frame of a path that starts at a shot, and watches points of the world in those of the first
+    /// light.
     ///
     /// # Errors
     /// As [`Laboratory::judge`]; and where the device cannot copy depth (GL).
@@ -51,7 +52,10 @@ impl Laboratory<'_> {
         let shots: Vec<Shot> = (0..watch.frames).map(|i| moved(shot, motion, i as f32, finest)).collect();
         let eyes: Vec<Eye> =
             shots.iter().map(|shot| Eye::new(&shot.camera, shot.width, shot.height)).collect();
-        let sun = Sun::along(shot.sun);
+        let light_of = |shot: &Shot| {
+            let missing = || LabError::Missing { what: "light".to_owned(), world: shot.camera.name.clone() };
+            Ok::<_, LabError>(Light::at(shot.lights.first().ok_or_else(missing)?, shot.seconds))
+        };
         if motion == Motion::Objects && !self.scene().instances.iter().any(Instance::is_dynamic) {
             let (what, world) = ("moving things".to_owned(), self.scene().name.clone());
             return Err(LabError::Missing { what, world });
@@ -60,15 +64,17 @@ impl Laboratory<'_> {
         // Where the camera begins, is half-way, and ends.
         let thirds = [0, watch.frames / 2, watch.frames.saturating_sub(1)];
         let from: Vec<Eye> = thirds.into_iter().filter_map(|i| eyes.get(i).copied()).collect();
-        let anchors = anchors(&world, &from, &sun, watch.points, |triangle| world.is_still(triangle));
+        let anchors =
+            anchors(&world, &from, &light_of(shot)?, watch.points, |triangle| world.is_still(triangle));
         let (mut claim, mut truth): (Vec<_>, Vec<Vec<f32>>) = (Vec::new(), Vec::new());
         for (shot, eye) in shots.iter().zip(&eyes) {
             claim.push(self.claimed(shot, settings, eye, &anchors)?);
             let is_same = !matches!(motion, Motion::Sun | Motion::Objects);
             let known = truth.last().filter(|_| is_same).cloned();
-            truth.push(known.unwrap_or_else(|| {
-                visibility(&self.world_at(shot.seconds), &Sun::along(shot.sun), &anchors)
-            }));
+            truth.push(match known {
+                Some(known) => known,
+                None => visibility(&self.world_at(shot.seconds), &light_of(shot)?, &anchors),
+            });
         }
         Ok(Flicker::new(&claim, &truth))
     }
@@ -107,14 +113,16 @@ impl Laboratory<'_> {
 
 /// A frame with the maps of a shot, and a picture as small as can be.
 fn maps_only(shot: &Shot) -> Result<Frame, LabError> {
-    Ok(Frame { width: 1, height: 1, ..shot.frame(Show::Visibility)? })
+    Ok(Frame { width: 1, height: 1, ..shot.frame(Show::Visibility(0))? })
 }
 
 /// The shot as it is in a frame of a path.
 fn moved(shot: &Shot, motion: Motion, frame: f32, finest_texel: f32) -> Shot {
     let still = shot.clone();
-    let camera =
-        |aside: Vec3, yaw_degrees: f32| Shot { camera: carried(&shot.camera, aside, yaw_degrees), ..still };
+    let camera = |aside: Vec3, yaw_degrees: f32| Shot {
+        camera: carried(&shot.camera, aside, yaw_degrees),
+        ..shot.clone()
+    };
     match motion {
         Motion::Translate => camera(Vec3::X * (0.05 * frame), 0.0),
         Motion::Yaw => camera(Vec3::ZERO, 0.25 * frame),
@@ -123,12 +131,20 @@ fn moved(shot: &Shot, motion: Motion, frame: f32, finest_texel: f32) -> Shot {
         Motion::Fast => camera(Vec3::NEG_Z * frame, 0.0),
         Motion::SubTexel => camera(Vec3::X * (finest_texel / 16.0 * frame), 0.0),
         Motion::Sun => {
-            // About an axis across the light, so that it moves by the whole angle.
-            let axis = shot.sun.normalize_or(Vec3::NEG_Y).any_orthonormal_vector();
-            Shot { sun: Quat::from_axis_angle(axis, (0.02 * frame).to_radians()) * shot.sun, ..still }
+            let lights = shot.lights.iter().map(|light| turned(light, (0.02 * frame).to_radians())).collect();
+            Shot { lights, ..still }
         }
         Motion::Objects => Shot { seconds: shot.seconds + frame / FRAMES_PER_SECOND, ..still },
     }
+}
+
+/// A light turned about an axis across it, so that it moves by the whole angle.
+fn turned(light: &umbrage_scene::Light, radians: f32) -> umbrage_scene::Light {
+    let axis = light.world_from_light.x_axis.truncate();
+    let mut turned = light.clone();
+    turned.world_from_light = Mat4::from_axis_angle(axis, radians) * light.world_from_light;
+    turned.world_from_light.w_axis = light.world_from_light.w_axis;
+    turned
 }
 
 /// A camera moved along its own axes, but level where it goes ahead, and turned about the vertical.
@@ -146,7 +162,7 @@ fn carried(camera: &Camera, aside: Vec3, yaw_degrees: f32) -> Camera {
 
 #[cfg(test)]
 mod tests {
-    use umbrage_scene::Lens;
+    use umbrage_scene::{Lens, Light};
 
     use super::*;
 
@@ -156,8 +172,8 @@ mod tests {
             lens: Lens::Perspective { fov_y: 1.0 },
             ..Camera::looking("c", Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 1.0, -10.0), 1.0, 0.1, 100.0)
         };
-        let shot =
-            Shot { camera, sun: Vec3::NEG_Y, sun_colour: Vec3::ONE, seconds: 0.0, width: 16, height: 9 };
+        let lights = vec![Light::sun(Vec3::NEG_Y, 1.0)];
+        let shot = Shot { camera, lights, seconds: 0.0, width: 16, height: 9 };
         let eye = |motion| moved(&shot, motion, 100.0, 0.16).camera.eye();
         let near = |a: Vec3, b: Vec3| assert!(a.distance(b) < 1e-3, "{a}, not {b}");
         near(eye(Motion::Translate), Vec3::new(5.0, 2.0, 0.0));
@@ -167,7 +183,8 @@ mod tests {
         let forward = moved(&shot, Motion::Yaw, 360.0, 0.1).camera.forward();
         assert!(forward.x < -0.99, "a quarter turn to the left, forward is {forward}");
         for from in [Vec3::NEG_Y, Vec3::NEG_Z, Vec3::new(0.3, -0.8, 0.4)] {
-            let sun = moved(&Shot { sun: from, ..shot.clone() }, Motion::Sun, 100.0, 0.1).sun;
+            let lights = vec![Light::sun(from, 1.0)];
+            let sun = moved(&Shot { lights, ..shot.clone() }, Motion::Sun, 100.0, 0.1).lights[0].direction();
             assert!((sun.angle_between(from).to_degrees() - 2.0).abs() < 1e-2, "{from} became {sun}");
         }
         assert!(moved(&shot, Motion::Objects, 60.0, 0.1).seconds == 1.0, "a second");

@@ -3,26 +3,26 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use glam::Vec3;
-use umbrage::{Light, Settings, ShadowPlan};
+use rayon::prelude::*;
+use umbrage::{Settings, ShadowPlan};
 use umbrage_judge::statistics::Spread;
-use umbrage_judge::{Claim, DepthBand, Edges, Error, Eye, Pixel, Smooth, Sun, Truth, World};
-use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show};
+use umbrage_judge::{
+    Claim, DepthBand, Edges, Error, Eye, Light, Part, Pixel, Receiver, Smooth, Truth, World,
+};
+use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
 use umbrage_scene::{Camera, Scene};
 
 use crate::error::LabError;
 use crate::heat::{Wrongness, heat_map};
-use crate::measurement::{Measurement, Milliseconds, TruthCounts};
+use crate::measurement::{MeasuredLight, Measurement, Milliseconds, TruthCounts};
 
 /// A picture to take.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shot {
     /// From where.
     pub camera: Camera,
-    /// The way sunlight travels, in world space, of any length but zero.
-    pub sun: Vec3,
-    /// Linear RGB of sunlight.
-    pub sun_colour: Vec3,
+    /// What shines, 16 at most. Every light's shadows are judged.
+    pub lights: Vec<umbrage_scene::Light>,
     /// When, for things that move.
     pub seconds: f32,
     /// Width, pixels.
@@ -38,11 +38,11 @@ pub enum TruthKind {
     Hard,
     /// The mean over so many by so many points of each pixel.
     SubPixel(u32),
-    /// The mean over so many points of a sun that is seen under an angle, radians.
+    /// The mean over so many points of the light.
     Soft {
         /// Points.
         samples: u32,
-        /// The whole angle, radians.
+        /// How large a sun is: the whole angle that it is seen under, radians. Lamps have half of it for a radius, metres.
         angle: f64,
     },
 }
@@ -72,8 +72,8 @@ pub struct Laboratory<'a> {
     renderer: Renderer<'a>,
     /// The scene's triangles, at the time they were last needed.
     world: Option<(f32, Arc<World>)>,
-    /// The last truth, since several settings are judged by the same one.
-    truth: Option<(TruthKey, Arc<Traced>)>,
+    /// The last truth, light by light, since several settings are judged by the same one.
+    truth: Option<(TruthKey, Arc<Vec<Traced>>)>,
 }
 
 /// All that a truth depends on.
@@ -119,7 +119,7 @@ impl<'a> Laboratory<'a> {
     /// Draws and judges a picture, and draws `frames` more of it for their times.
     ///
     /// # Errors
-    /// When the camera, the sun or the settings cannot be used, or drawing fails.
+    /// When the camera, a light or the settings cannot be used, or drawing fails.
     pub fn judge(
         &mut self,
         shot: &Shot,
@@ -128,26 +128,40 @@ impl<'a> Laboratory<'a> {
         frames: u32,
     ) -> Result<Judged, LabError> {
         self.use_settings(settings)?;
-        let frame = shot.frame(Show::Visibility)?;
+        let frame = shot.frame(Show::World)?;
+        let mut visibility = Vec::new();
+        for light in 0..shot.lights.len() {
+            visibility.push(grey(&self.picture(&frame, Show::Visibility(light))?));
+        }
         let plan = self.renderer.render(&frame)?.plan;
-        let visibility = grey(&self.renderer.picture()?);
-        let shaded = self.picture(&frame, Show::World)?;
+        let shaded = self.renderer.picture()?;
         let times = self.times(&frame, frames)?;
-        let lit = self.picture(&frame, Show::Unshadowed)?;
-        let dark = self.picture(&frame, Show::Shadowed)?;
 
         let start = std::time::Instant::now();
         let traced = self.trace(shot, kind, plan.splits().last().copied().unwrap_or(f64::INFINITY));
         let world = self.world_at(shot.seconds);
         let tracing = start.elapsed();
-        let Traced { truth, edges, smooth } = &*traced;
-        let texel_metres = texel_metres(&plan, settings, truth);
-        let claim = Claim { visibility: &visibility, texel_metres: &texel_metres };
-        let error = Error::new(&world, truth, edges, smooth.as_ref(), &claim);
-        let true_picture = true_picture(truth, &shaded, &lit, &dark);
+        let judgements: Vec<Judgement> = visibility
+            .iter()
+            .zip(traced.iter())
+            .enumerate()
+            .map(|(light, (visibility, traced))| {
+                let texel_metres = texel_metres(&plan, settings, light, &traced.truth);
+                Judgement::new(
+                    &world,
+                    traced,
+                    &Claim { visibility, texel_metres: &texel_metres },
+                    plan.splits(),
+                )
+            })
+            .collect();
+        let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
+        let error = Error::pooled(&parts);
+        let true_picture = self.true_picture(&frame, &traced, &visibility, &shaded)?;
         let flip = umbrage_judge::flip_mean(shot.width, shot.height, &true_picture.rgba, &shaded.rgba)
             .filter(|_| error.is_some());
         let layout = plan.layout();
+        let sum = |of: fn(&Traced) -> f64| traced.iter().map(of).sum::<f64>();
         let measurement = Measurement {
             world: self.scene.name.clone(),
             triangles: self.scene.triangles(),
@@ -159,23 +173,25 @@ impl<'a> Laboratory<'a> {
             texels: layout.texels(),
             bytes: layout.bytes(),
             truth: TruthCounts {
-                pixels: truth.judged(),
-                ambiguous: truth.count(Pixel::Ambiguous),
-                shadowed: truth.count(Pixel::Shadowed),
-                edge_px: edges.length(),
-                standard_error: smooth.as_ref().map_or(0.0, |smooth| mean_error(truth, smooth)),
+                pixels: traced.iter().map(|traced| traced.truth.judged()).sum(),
+                ambiguous: traced.iter().map(|traced| traced.truth.count(Pixel::Ambiguous)).sum(),
+                shadowed: traced.iter().map(|traced| traced.truth.count(Pixel::Shadowed)).sum(),
+                edge_px: sum(|traced| traced.edges.length()),
+                standard_error: sum(Traced::mean_error) / traced.len().max(1) as f64,
             },
             error,
+            lights: shot.lights.iter().zip(&judgements).map(|(light, of)| of.measured(&light.name)).collect(),
             flip,
-            splits: DepthBand::between(truth, edges, &claim, plan.splits()),
-            around_cuts: around_cuts(truth, edges, &claim, plan.splits()),
+            splits: DepthBand::pooled(judgements.iter().map(|judgement| judgement.splits.as_slice())),
+            around_cuts: judgements
+                .first()
+                .map(|judgement| judgement.around_cuts.clone())
+                .unwrap_or_default(),
             milliseconds: (!times.is_empty()).then(|| Milliseconds::of(&times)),
             every_frame: times.iter().map(|t| [t.plan, t.casters, t.shade, t.frame]).collect(),
             flicker: None,
         };
-        let wrongness: Vec<Wrongness> =
-            truth.pixels.iter().zip(&visibility).map(|(pixel, v)| wrongness(*pixel, *v)).collect();
-        let heat_map = Picture { rgba: heat_map(&shaded.rgba, &wrongness), ..shaded };
+        let heat_map = Picture { rgba: heat_map(&shaded.rgba, &wrongness(&traced, &visibility)), ..shaded };
         Ok(Judged { measurement, shaded, true_picture, heat_map, plan, tracing })
     }
 
@@ -197,37 +213,62 @@ impl<'a> Laboratory<'a> {
         world
     }
 
-    /// What is true of a shot.
-    fn trace(&mut self, shot: &Shot, kind: TruthKind, distance: f64) -> Arc<Traced> {
+    /// What is true of a shot, light by light.
+    fn trace(&mut self, shot: &Shot, kind: TruthKind, distance: f64) -> Arc<Vec<Traced>> {
         let key = TruthKey { shot: shot.clone(), kind, distance };
         if let Some((_, traced)) = self.truth.as_ref().filter(|(of, _)| *of == key) {
             return Arc::clone(traced);
         }
         let world = self.world_at(shot.seconds);
         let eye = Eye::new(&shot.camera, shot.width, shot.height);
-        let truth = Truth::new(&world, &eye, &Sun::along(shot.sun), distance);
-        let smooth = match kind {
-            TruthKind::Hard => None,
-            TruthKind::SubPixel(side) => Some(umbrage_judge::sub_pixel(&world, &truth, side)),
-            TruthKind::Soft { samples, angle } => {
-                Some(umbrage_judge::soft(&world, &truth, 0.5 * angle, samples))
-            }
+        let trace = |light: &umbrage_scene::Light| {
+            let truth = Truth::new(&world, &eye, &Light::at(light, shot.seconds), distance);
+            let smooth = match kind {
+                TruthKind::Hard => None,
+                TruthKind::SubPixel(side) => Some(umbrage_judge::sub_pixel(&world, &truth, side)),
+                TruthKind::Soft { samples, angle } => {
+                    Some(umbrage_judge::soft(&world, &truth, 0.5 * angle, samples))
+                }
+            };
+            Traced { edges: Edges::new(&truth), truth, smooth }
         };
-        let edges = Edges::new(&truth);
-        let traced = Arc::new(Traced { truth, edges, smooth });
+        let traced = Arc::new(shot.lights.iter().map(trace).collect());
         self.truth = Some((key, Arc::clone(&traced)));
         traced
     }
 
+    /// The picture with true shadows. Where a light is not judged, its shadows are as claimed; pixels where none is
+    /// judged are as in `shaded`.
+    fn true_picture(
+        &mut self,
+        frame: &Frame,
+        traced: &[Traced],
+        visibility: &[Vec<f32>],
+        shaded: &Picture,
+    ) -> Result<Picture, LabError> {
+        let mut bits = vec![0; (frame.width * frame.height) as usize];
+        for (light, (traced, visibility)) in traced.iter().zip(visibility).enumerate() {
+            for (bits, (pixel, claimed)) in bits.iter_mut().zip(traced.truth.pixels.iter().zip(visibility)) {
+                let is_lit = if pixel.is_judged() { *pixel == Pixel::Lit } else { *claimed >= 0.5 };
+                *bits |= u32::from(is_lit) << light;
+            }
+        }
+        let picture = self.picture(frame, Show::Given(bits))?;
+        let is_judged = |i: usize| traced.iter().any(|traced| traced.truth.pixels[i].is_judged());
+        let pixels = picture.rgba.as_chunks::<4>().0.iter().zip(shaded.rgba.as_chunks::<4>().0);
+        let rgba =
+            pixels.enumerate().flat_map(|(i, (given, shaded))| if is_judged(i) { *given } else { *shaded });
+        Ok(Picture { rgba: rgba.collect(), ..*shaded })
+    }
+
     fn picture(&mut self, frame: &Frame, show: Show) -> Result<Picture, LabError> {
-        self.renderer.render(&Frame { show, ..*frame })?;
+        self.renderer.render(&Frame { show, ..frame.clone() })?;
         Ok(self.renderer.picture()?)
     }
 
     /// Times of `frames` frames, the first of which is drawn once more before.
     fn times(&mut self, frame: &Frame, frames: u32) -> Result<Vec<FrameTimes>, LabError> {
-        let frame = Frame { show: Show::World, ..*frame };
-        (0..frames).map(|_| Ok(self.renderer.render(&frame)?.times)).collect()
+        (0..frames).map(|_| Ok(self.renderer.render(frame)?.times)).collect()
     }
 }
 
@@ -235,13 +276,13 @@ impl Shot {
     /// The frame that shows it, one sample a pixel.
     ///
     /// # Errors
-    /// When the camera or the sun cannot be used.
+    /// When the camera or a light cannot be used.
     pub fn frame(&self, show: Show) -> Result<Frame, RenderError> {
-        let Self { camera, sun, sun_colour, seconds, width, height } = self;
+        let Self { camera, lights, seconds, width, height } = self;
+        let lamps = lights.iter().map(|light| lamp(light, *seconds));
         Ok(Frame {
             camera: umbrage_render::camera(camera, *width as f32 / *height as f32)?,
-            sun: Light::directional(*sun)?,
-            sun_colour: *sun_colour,
+            lamps: lamps.collect::<Result<_, RenderError>>()?,
             seconds: *seconds,
             width: *width,
             height: *height,
@@ -264,14 +305,67 @@ impl Milliseconds {
     }
 }
 
-/// What a pixel's claim is, against the truth.
-fn wrongness(truth: Pixel, visibility: f32) -> Wrongness {
-    match (truth, visibility < 0.5) {
-        (Pixel::Lit, true) => Wrongness::FalseShadow,
-        (Pixel::Shadowed, false) => Wrongness::FalseLight,
-        (Pixel::Lit | Pixel::Shadowed, _) => Wrongness::Right,
-        (Pixel::Sky | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous, _) => Wrongness::NotJudged,
+/// What one light's shadows came to.
+struct Judgement {
+    part: Option<Part>,
+    counts: TruthCounts,
+    splits: Vec<DepthBand>,
+    around_cuts: Vec<[DepthBand; 2]>,
+}
+
+impl Judgement {
+    fn new(world: &World, traced: &Traced, claim: &Claim<'_>, splits: &[f64]) -> Self {
+        let Traced { truth, edges, smooth } = traced;
+        let counts = TruthCounts {
+            pixels: truth.judged(),
+            ambiguous: truth.count(Pixel::Ambiguous),
+            shadowed: truth.count(Pixel::Shadowed),
+            edge_px: edges.length(),
+            standard_error: traced.mean_error(),
+        };
+        let error = Error::new(world, truth, edges, smooth.as_ref(), claim);
+        Self {
+            part: error.map(|error| Part { error, pixels: counts.pixels, edge_px: counts.edge_px }),
+            counts,
+            splits: DepthBand::between(truth, edges, claim, splits),
+            around_cuts: around_cuts(truth, edges, claim, splits),
+        }
     }
+
+    fn measured(&self, name: &str) -> MeasuredLight {
+        let error = self.part.as_ref().map(|part| part.error.clone());
+        MeasuredLight { name: name.to_owned(), truth: self.counts, error }
+    }
+}
+
+impl Traced {
+    /// The mean standard error over judged pixels; 0 without any.
+    fn mean_error(&self) -> f64 {
+        let Some(smooth) = &self.smooth else { return 0.0 };
+        let pixels = self.truth.pixels.iter().zip(&smooth.standard_error);
+        let sum: f64 =
+            pixels.filter(|(pixel, _)| pixel.is_judged()).map(|(_, error)| f64::from(*error)).sum();
+        sum / self.truth.judged().max(1) as f64
+    }
+}
+
+/// What is claimed of each pixel, against the truth: of its lights, the first that is wrong.
+fn wrongness(traced: &[Traced], visibility: &[Vec<f32>]) -> Vec<Wrongness> {
+    let of_light =
+        |traced: &Traced, visibility: &[f32], i: usize| match (traced.truth.pixels[i], visibility[i] < 0.5) {
+            (Pixel::Lit, true) => Wrongness::FalseShadow,
+            (Pixel::Shadowed, false) => Wrongness::FalseLight,
+            (pixel, _) if pixel.is_judged() => Wrongness::Right,
+            _ => Wrongness::NotJudged,
+        };
+    let pixels = traced.first().map_or(0, |traced| traced.truth.pixels.len());
+    let worst = |i: usize| {
+        let all =
+            || traced.iter().zip(visibility).map(|(traced, visibility)| of_light(traced, visibility, i));
+        let wrong = |of: &Wrongness| matches!(of, Wrongness::FalseShadow | Wrongness::FalseLight);
+        all().find(wrong).or_else(|| all().find(|of| *of == Wrongness::Right)).unwrap_or(Wrongness::NotJudged)
+    };
+    (0..pixels).map(worst).collect()
 }
 
 /// Visibility of every pixel, from its grey.
@@ -279,20 +373,14 @@ fn grey(picture: &Picture) -> Vec<f32> {
     picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect()
 }
 
-/// The mean standard error over judged pixels; 0 without any.
-fn mean_error(truth: &Truth, smooth: &Smooth) -> f64 {
-    let judged = truth.pixels.iter().zip(&smooth.standard_error).filter(|(pixel, _)| pixel.is_judged());
-    let sum: f64 = judged.map(|(_, error)| f64::from(*error)).sum();
-    sum / truth.judged().max(1) as f64
-}
-
-/// The size of the texels that each pixel is read from.
-fn texel_metres(plan: &ShadowPlan, settings: &Settings, truth: &Truth) -> Vec<f32> {
-    let size = |receiver: &umbrage_judge::Receiver| {
+/// The size of the texels that each pixel is read from, on a plane there that faces the light.
+fn texel_metres(plan: &ShadowPlan, settings: &Settings, light: usize, truth: &Truth) -> Vec<f32> {
+    let size = |receiver: &Receiver| {
         let (position, normal) = (receiver.position.as_vec3(), receiver.normal.as_vec3());
-        umbrage::view_of(plan, settings, 0, position, normal).map_or(0.0, |view| view.texel_metres)
+        let view = umbrage::view_of(plan, settings, light, position, normal);
+        view.map_or(0.0, |view| view.texel_at(position).texel_metres())
     };
-    truth.receivers.iter().map(|receiver| receiver.as_ref().map_or(0.0, size)).collect()
+    truth.receivers.par_iter().map(|receiver| receiver.as_ref().map_or(0.0, size)).collect()
 }
 
 /// What is wrong within a quarter of each inner cut's depth, before and after it.
@@ -305,16 +393,4 @@ fn around_cuts(truth: &Truth, edges: &Edges, claim: &Claim<'_>, splits: &[f64]) 
             Some([before?, after?])
         })
         .collect()
-}
-
-/// The picture with true shadows: a judged pixel is as it would be lit, or as it would be dark.
-fn true_picture(truth: &Truth, shaded: &Picture, lit: &Picture, dark: &Picture) -> Picture {
-    let pixels = |picture: &Picture| picture.rgba.as_chunks::<4>().0.to_vec();
-    let (shaded_pixels, lit, dark) = (pixels(shaded), pixels(lit), pixels(dark));
-    let rgba = truth.pixels.iter().enumerate().flat_map(|(i, pixel)| match pixel {
-        Pixel::Lit => lit[i],
-        Pixel::Shadowed => dark[i],
-        Pixel::Sky | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => shaded_pixels[i],
-    });
-    Picture { rgba: rgba.collect(), ..*shaded }
 }

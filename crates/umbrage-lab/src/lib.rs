@@ -31,6 +31,6 @@ pub use error::LabError;
 pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Way};
 pub use flicker::Watch;
 pub use laboratory::{Judged, Laboratory, Shot, TruthKind};
-pub use measurement::{Machine, Measurement, Milliseconds, Outcome, Pictures, TruthCounts};
+pub use measurement::{Machine, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts};
 pub use run::{Row, run};
 pub use store::Store;

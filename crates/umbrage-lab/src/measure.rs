@@ -6,7 +6,7 @@ use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
 use umbrage_render::{Gpu, Picture};
-use umbrage_scene::{LightKind, Scene};
+use umbrage_scene::Scene;
 
 use crate::cell::Cell;
 use crate::error::LabError;
@@ -31,7 +31,7 @@ impl Laboratory<'_> {
     /// What a cell comes to. Its world must be this laboratory's.
     ///
     /// # Errors
-    /// As [`Laboratory::judge`]; and where the world has no such camera or no sun.
+    /// As [`Laboratory::judge`]; and where the world has no such camera or no light.
     pub fn measure(&mut self, cell: &Cell) -> Result<Outcome, LabError> {
         let shot = shot(self.scene(), cell)?;
         let mut judged = self.judge(&shot, &cell.settings, TruthKind::Hard, cell.frames)?;
@@ -50,12 +50,12 @@ fn shot(scene: &Scene, cell: &Cell) -> Result<Shot, LabError> {
     let missing = |what: String| LabError::Missing { what, world: scene.name.clone() };
     let named = scene.cameras.iter().find(|it| it.name == *camera);
     let camera = named.ok_or_else(|| missing(format!("camera called `{camera}`")))?;
-    let sun = scene.lights.iter().find(|light| light.kind == LightKind::Directional);
-    let sun = sun.ok_or_else(|| missing("directional light".to_owned()))?;
+    if scene.lights.is_empty() {
+        return Err(missing("light".to_owned()));
+    }
     Ok(Shot {
         camera: umbrage_judge::jittered(camera, *repeat),
-        sun: sun.direction(),
-        sun_colour: sun.colour,
+        lights: scene.lights.clone(),
         seconds: 0.0,
         width: *width,
         height: *height,

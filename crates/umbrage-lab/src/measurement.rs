@@ -29,8 +29,10 @@ pub struct Measurement {
     pub bytes: u64,
     /// What the truth says.
     pub truth: TruthCounts,
-    /// How wrong the picture is; absent where no pixel is judged.
+    /// How wrong the picture is, all lights together; absent where no pixel is judged.
     pub error: Option<Error>,
+    /// The same light by light.
+    pub lights: Vec<MeasuredLight>,
     /// FLIP between the shaded picture and the same picture with true shadows; absent where no pixel is judged.
     pub flip: Option<f64>,
     /// What is wrong in each split's slice of depth. With `select = "map"` a finer view may have served part of it.
@@ -45,10 +47,21 @@ pub struct Measurement {
     pub flicker: Option<Flicker>,
 }
 
-/// What the truth says of a picture.
+/// What one light's shadows came to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MeasuredLight {
+    /// The light's name.
+    pub name: String,
+    /// What the truth says of it.
+    pub truth: TruthCounts,
+    /// How wrong its shadows are; absent where it shines on nothing in sight.
+    pub error: Option<Error>,
+}
+
+/// What the truth says of a picture; of several lights, of all together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TruthCounts {
-    /// Pixels that are judged: they show a surface that faces the sun, within the shadows' distance, and are sure.
+    /// Pixels that are judged: they show a surface that faces the light, within the shadows' distance, and are sure.
     pub pixels: usize,
     /// Pixels left out because their truth depends on rounding.
     pub ambiguous: usize,

@@ -7,9 +7,9 @@
 //! must be that.
 
 use glam::{DVec2, DVec3, Mat4, Vec3};
-use umbrage::{Bias, Filter, Fit, Light, Lookup, Settings, ShadowPlan};
+use umbrage::{Bias, Filter, Fit, Lookup, Settings, ShadowPlan};
 use umbrage_judge::temporal::{Anchor, Flicker, Seen};
-use umbrage_judge::{Claim, Edges, Error, Eye, Sun, Truth, World};
+use umbrage_judge::{Claim, Edges, Error, Eye, Light, Truth, World};
 use umbrage_lab::{Laboratory, Motion, Shot, Watch};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
 use umbrage_scene::{Camera, Instance, Lens, Light as Lamp, Material, Mesh, Primitive, Scene, worlds};
@@ -66,13 +66,12 @@ fn settings(m: u32) -> Settings {
 fn frame(camera: &Camera, width: u32) -> Frame {
     Frame {
         camera: umbrage_render::camera(camera, 1.0).expect("a good camera"),
-        sun: Light::directional(Vec3::NEG_Y).expect("a good sun"),
-        sun_colour: Vec3::ONE,
+        lamps: vec![umbrage_render::lamp(&Lamp::sun(Vec3::NEG_Y, 1.0), 0.0).expect("a good sun")],
         seconds: 0.0,
         width,
         height: width,
         samples: 1,
-        show: Show::Visibility,
+        show: Show::Visibility(0),
     }
 }
 
@@ -134,7 +133,7 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
 fn judged(world: &World, camera: &Camera, renderer: &Renderer<'_>, texel: f32) -> (Truth, Edges, Error) {
     let picture = renderer.picture().expect("a picture");
     let visibility: Vec<f32> = picture.rgba.iter().step_by(4).map(|v| f32::from(*v) / 255.0).collect();
-    let truth = Truth::new(world, &Eye::new(camera, PIXELS, PIXELS), &Sun::along(Vec3::NEG_Y), 100.0);
+    let truth = Truth::new(world, &Eye::new(camera, PIXELS, PIXELS), &Light::sun(Vec3::NEG_Y), 100.0);
     let edges = Edges::new(&truth);
     let claim = Claim { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
     let error = Error::new(world, &truth, &edges, None, &claim).expect("all is judged");
@@ -181,7 +180,7 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
             })
             .collect();
         let world = World::new(&scene, 0.0);
-        let truth = umbrage_judge::temporal::visibility(&world, &Sun::along(Vec3::NEG_Y), &anchors);
+        let truth = umbrage_judge::temporal::visibility(&world, &Light::sun(Vec3::NEG_Y), &anchors);
         let flicker = Flicker::new(&claim, &vec![truth; claim.len()]);
         let ratio = flicker.flip_rate * band / f64::from(texel) / law;
         println!("edge at {diagonal}°: {ratio:.4} of the law's flips");
@@ -196,8 +195,7 @@ fn stable_maps_never_flip_however_the_camera_moves() {
     let scene = worlds::build("primitives", 0).expect("a built-in world");
     let shot = Shot {
         camera: scene.cameras[0].clone(),
-        sun: scene.lights[0].direction(),
-        sun_colour: Vec3::ONE,
+        lights: scene.lights.clone(),
         seconds: 0.0,
         width: 640,
         height: 360,

@@ -79,6 +79,7 @@ fn outcome(cell: &Cell) -> Outcome {
             causes: Causes { edge: 0.3, ..Causes::default() },
             decades: vec![band.clone()],
         }),
+        lights: Vec::new(),
         flip: Some(0.07),
         splits: vec![band.clone(), band.clone()],
         around_cuts: vec![[band.clone(), band]],

@@ -1,21 +1,45 @@
-// Receivers: sun and sky on a base colour. In front of it goes umbrage's receiver text, whose bindings are group 1.
+// Receivers: lamps and sky on a base colour. In front of it goes umbrage's receiver text, whose bindings are group 1.
+
+struct Lamp {
+    /// In world space: the unit direction to a sun, and 0; or the place of a lamp, and 1.
+    place: vec4f,
+    /// Unit, of a spot.
+    axis: vec3f,
+    /// Metres.
+    range: f32,
+    /// Linear RGB: of a sun on a surface that faces it; of others the same at one metre.
+    colour: vec3f,
+    /// How a spot fades toward its rim: scale and offset of the cosine to its axis.
+    cone_scale: f32,
+    cone_offset: f32,
+}
 
 struct Scene {
     clip_from_world: mat4x4f,
     world_from_clip: mat4x4f,
     eye: vec3f,
-    /// How much sunlight reaches everything, where that is known; negative where the shadow maps say.
-    known_visibility: f32,
-    /// Unit, in world space.
+    /// Whom to ask for visibility: 0 the shadow maps, 1 nobody, 2 the given bits.
+    asked: u32,
+    /// Unit, in world space, for the sky.
     direction_to_sun: vec3f,
     /// 1 where splits are tinted, 0 where not.
     tint: f32,
     /// Linear RGB of the sun's light on a surface that faces it.
     sun: vec3f,
+    lamp_count: u32,
+    /// Whose visibility is shown.
+    shown_lamp: u32,
+    /// Of the picture, pixels.
+    width: u32,
+    /// How bright the sky is: 1 by day.
+    daylight: f32,
+    lamps: array<Lamp, 16>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
 @group(0) @binding(1) var<storage, read> instances: array<mat4x4f>;
+/// Of every pixel, where asked for: bit i says whether lamp i reaches it.
+@group(0) @binding(2) var<storage, read> given: array<u32>;
 
 @group(2) @binding(0) var<uniform> base_colour: vec4f;
 @group(2) @binding(1) var base_texture: texture_2d<f32>;
@@ -59,12 +83,31 @@ fn geometric_normal(from_eye: vec3f) -> vec3f {
     return turned * inverseSqrt(max(dot(turned, turned), 1e-30));
 }
 
-/// How much sunlight reaches a fragment.
-fn visibility_at(receiver: Receiver, normal: vec3f) -> f32 {
-    if scene.known_visibility >= 0.0 {
-        return scene.known_visibility;
+/// How much of a lamp's light reaches a fragment.
+fn visibility_at(lamp: u32, receiver: Receiver, normal: vec3f) -> f32 {
+    if scene.asked == 1u {
+        return 1.0;
     }
-    return umbrage_visibility(scene.eye + receiver.from_eye, normal, receiver.clip.xy);
+    if scene.asked == 2u {
+        let pixel = vec2u(receiver.clip.xy);
+        return f32(given[pixel.y * scene.width + pixel.x] >> lamp & 1u);
+    }
+    return umbrage_light_visibility(lamp, scene.eye + receiver.from_eye, normal, receiver.clip.xy);
+}
+
+/// What a lamp adds to a surface with a unit normal where nothing is in its way.
+fn light_of(lamp: Lamp, position: vec3f, normal: vec3f) -> vec3f {
+    if lamp.place.w == 0.0 {
+        return lamp.colour * max(dot(normal, lamp.place.xyz), 0.0);
+    }
+    let toward = lamp.place.xyz - position;
+    let square = max(dot(toward, toward), 1e-6);
+    let direction = toward * inverseSqrt(square);
+    // As KHR_lights_punctual has it.
+    let reach = square / (lamp.range * lamp.range);
+    let window = clamp(1.0 - reach * reach, 0.0, 1.0);
+    let cone = clamp(dot(lamp.axis, -direction) * lamp.cone_scale + lamp.cone_offset, 0.0, 1.0);
+    return lamp.colour * (max(dot(normal, direction), 0.0) * window * cone * cone / square);
 }
 
 /// Light of the sky from a direction: pale at the horizon, blue above, ground below.
@@ -74,14 +117,14 @@ fn sky_light(direction: vec3f) -> vec3f {
     let ground = vec3f(0.20, 0.18, 0.15);
     let up = clamp(direction.y, 0.0, 1.0);
     let above = mix(horizon, zenith, 1.0 - pow(1.0 - up, 3.0));
-    return mix(above, ground, smoothstep(0.0, 0.25, -direction.y));
+    return mix(above, ground, smoothstep(0.0, 0.25, -direction.y)) * scene.daylight;
 }
 
 /// Light that reaches a surface from the whole sky and the ground, for a unit normal: a hemisphere each.
 fn ambient_light(normal: vec3f) -> vec3f {
     let sky = vec3f(0.30, 0.38, 0.52);
     let ground = vec3f(0.16, 0.14, 0.11);
-    return mix(ground, sky, 0.5 + 0.5 * normal.y);
+    return mix(ground, sky, 0.5 + 0.5 * normal.y) * scene.daylight;
 }
 
 /// What the sky shows in a direction: its light, and a glow around the sun.
@@ -125,10 +168,13 @@ fn shade(receiver: Receiver) -> @location(0) vec4f {
             base = mix(base, split_colour(view - umbrage_frame.lights[0].first_view), 0.6 * scene.tint);
         }
     }
-    let ambient = base * ambient_light(normal);
-    let cosine = max(dot(normal, scene.direction_to_sun), 0.0);
-    let lit = base * scene.sun * cosine;
-    var light = umbrage_shade(ambient, lit, visibility_at(receiver, facing));
+    var light = base * ambient_light(normal);
+    for (var i = 0u; i < scene.lamp_count; i++) {
+        let lit = base * light_of(scene.lamps[i], scene.eye + receiver.from_eye, normal);
+        if any(lit > vec3f(0.0)) {
+            light = umbrage_shade(light, lit, visibility_at(i, receiver, facing));
+        }
+    }
     let distance = length(receiver.from_eye);
     let horizontal = normalize(vec3f(receiver.from_eye.x, 0.12 * distance, receiver.from_eye.z));
     light = mix(sky_light(horizontal), light, exp2(-distance / HAZE_HALVES_AT));
@@ -137,7 +183,7 @@ fn shade(receiver: Receiver) -> @location(0) vec4f {
 
 @fragment
 fn visibility(receiver: Receiver) -> @location(0) vec4f {
-    let visible = visibility_at(receiver, geometric_normal(receiver.from_eye));
+    let visible = visibility_at(scene.shown_lamp, receiver, geometric_normal(receiver.from_eye));
     return vec4f(vec3f(visible), 1.0);
 }
 

@@ -1,10 +1,10 @@
 //! From a scene's descriptions to what the planner wants.
 
-use glam::Vec3;
 use umbrage::{Bounds, Camera, Light, Projection};
 use umbrage_scene::{LightKind, Scene};
 
 use crate::error::RenderError;
+use crate::renderer::Lamp;
 
 /// The planner's camera for a scene's, in a picture of `aspect` (width over height).
 ///
@@ -18,11 +18,26 @@ pub fn camera(camera: &umbrage_scene::Camera, aspect: f32) -> Result<Camera, Ren
     Ok(Camera::new(camera.world_from_camera, projection, camera.near, camera.far)?)
 }
 
-/// The first directional light of a scene: the way it travels, and its colour. `None` where there is none.
-pub fn sun(scene: &Scene) -> Option<(Light, Vec3)> {
-    let sun = scene.lights.iter().find(|light| light.kind == LightKind::Directional)?;
-    Some((Light::directional(sun.direction()).ok()?, sun.colour))
+/// A scene's light as it is at a time.
+///
+/// # Errors
+/// When it cannot shine: a direction without length, a spot of no angle or of 180° and more, no range.
+pub fn lamp(light: &umbrage_scene::Light, seconds: f32) -> Result<Lamp, RenderError> {
+    let world_from_light = light.world_from_light_at(seconds);
+    let (position, direction) = (world_from_light.w_axis.truncate(), -world_from_light.z_axis.truncate());
+    let (shadows, cone) = match light.kind {
+        LightKind::Directional => (Light::directional(direction)?, [0.0; 2]),
+        LightKind::Spot { inner, outer, range } => {
+            (Light::spot(position, direction, outer, range)?, [inner, outer])
+        }
+        LightKind::Point { range } => (Light::point(position, range)?, [0.0; 2]),
+    };
+    let strength = if light.kind == LightKind::Directional { SUN_LIGHT } else { light.intensity };
+    Ok(Lamp { light: shadows, colour: light.colour * strength, cone })
 }
+
+/// The light of any sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
+const SUN_LIGHT: f32 = 2.6;
 
 /// The boxes of everything in a scene at a time.
 pub fn bounds(scene: &Scene, seconds: f32) -> Bounds {

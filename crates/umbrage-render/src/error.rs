@@ -50,7 +50,7 @@ pub enum RenderError {
     /// The scene's camera cannot be used.
     #[error(transparent)]
     Camera(#[from] CameraError),
-    /// The scene's sun cannot be used.
+    /// A light cannot be used.
     #[error(transparent)]
     Light(#[from] LightError),
     /// The frame cannot be planned.

@@ -5,8 +5,8 @@
 //! for each view, one shading pass. What is drawn into a view is a list of (instance, part), made in one place,
 //! [`draws`].
 //!
-//! This crate does not: open windows, read files, measure errors, or shade like a film. Only the first directional light
-//! of a scene casts shadows.
+//! This crate does not: open windows, read files, measure errors, or shade like a film. At most 16 lights
+//! shine.
 
 pub mod draws;
 
@@ -21,10 +21,10 @@ mod target;
 mod textures;
 mod timing;
 
-pub use convert::{bounds, camera, sun};
+pub use convert::{bounds, camera, lamp};
 pub use error::RenderError;
 pub use gpu::{AdapterDescription, Gpu};
-pub use renderer::{Frame, Rendered, Renderer, Show};
+pub use renderer::{Frame, Lamp, Rendered, Renderer, Show};
 pub use target::Picture;
 pub use timing::{FrameTimes, ViewLoad};
 pub use umbrage;

@@ -15,15 +15,24 @@ use crate::shading::Shading;
 use crate::target::{Encoding, Picture, Target};
 use crate::timing::{CASTERS, FrameTimes, PassTimer, SHADE, ViewLoad};
 
-/// What to draw.
+/// A light that shades and casts shadows.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp {
+    /// Where it shines, for its shadows.
+    pub light: Light,
+    /// Linear RGB: of a sun, on a surface that faces it; of a spot or point, the same at a distance of one metre.
+    pub colour: Vec3,
+    /// Of a spot: the angles from its axis at which its light begins to fade, and ends, radians.
+    pub cone: [f32; 2],
+}
+
+/// What to draw.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// From where.
     pub camera: Camera,
-    /// The light that casts shadows.
-    pub sun: Light,
-    /// Linear RGB of its light, 1 at most.
-    pub sun_colour: Vec3,
+    /// What shines, 16 at most.
+    pub lamps: Vec<Lamp>,
     /// When, for things that move.
     pub seconds: f32,
     /// Width, pixels.
@@ -37,18 +46,31 @@ pub struct Frame {
 }
 
 /// What a picture shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Show {
     /// The world with its shadows.
     World,
     /// The world without shadows, and without drawing any.
     Unshadowed,
-    /// The world as if the sun reached nothing, and without drawing any shadows.
-    Shadowed,
-    /// The world with its shadows, and the splits tinted.
+    /// The world with shadows that are given, and without drawing any: bit i of each pixel says whether lamp i reaches it.
+    /// One sample a pixel.
+    Given(Vec<u32>),
+    /// The world with its shadows, and what each view of the first lamp serves tinted.
     Splits,
-    /// How much sunlight reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
-    Visibility,
+    /// How much of one lamp's light reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
+    Visibility(usize),
+}
+
+impl Frame {
+    /// The lights that shadows are drawn for.
+    fn shadowed(&self) -> Vec<Light> {
+        match self.show {
+            Show::Unshadowed | Show::Given(_) => Vec::new(),
+            Show::World | Show::Splits | Show::Visibility(_) => {
+                self.lamps.iter().map(|lamp| lamp.light).collect()
+            }
+        }
+    }
 }
 
 /// What came of drawing a frame.
@@ -80,7 +102,7 @@ pub struct Renderer<'a> {
 }
 
 impl<'a> Renderer<'a> {
-    /// Uploads a scene, and makes shadow maps for one sun.
+    /// Uploads a scene, and makes shadow maps for one sun; there will be more when a frame needs them.
     ///
     /// # Errors
     /// When a setting is out of range, or something exceeds the adapter's limits.
@@ -109,10 +131,14 @@ impl<'a> Renderer<'a> {
     /// As [`Self::new`]; then the settings stay as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
         let shadows = self.gpu.allocate("the shadow maps", || Shadows::new(&self.gpu.device, settings))?;
+        self.use_shadows(shadows);
+        Ok(())
+    }
+
+    fn use_shadows(&mut self, shadows: Shadows) {
         self.casters = CasterPipelines::new(self.gpu, &self.buffers, &shadows);
         self.shadows = shadows;
         self.shading = None;
-        Ok(())
     }
 
     /// The shadows' side of it: settings in force, sizes, bytes.
@@ -132,11 +158,7 @@ impl<'a> Renderer<'a> {
             self.buffers.place(self.gpu, self.scene, frame.seconds);
             self.seconds = frame.seconds;
         }
-        let lights = match frame.show {
-            Show::Unshadowed | Show::Shadowed => &[][..],
-            Show::World | Show::Splits | Show::Visibility => std::slice::from_ref(&frame.sun),
-        };
-        let plan = self.shadows.plan(&frame.camera, lights, &self.parts.bounds())?;
+        let plan = self.shadows.plan(&frame.camera, &frame.shadowed(), &self.parts.bounds())?;
         let lists = self.draw_lists(&plan, &frame.camera);
         self.shadows.upload(&self.gpu.queue, &plan);
         let numbers = bytemuck::cast_slice(&lists.instances);
@@ -185,11 +207,18 @@ impl<'a> Renderer<'a> {
         Ok(self.shadows.read_maps(&self.gpu.device, &self.gpu.queue)?)
     }
 
-    /// Pipelines and textures that fit the frame.
+    /// Maps, pipelines and textures that fit the frame.
     fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
+        let lights = frame.shadowed();
+        if !self.shadows.has_room_for(&lights)? {
+            let settings = self.shadows.settings().clone();
+            let make = || Shadows::for_lights(&self.gpu.device, settings, &lights);
+            self.use_shadows(self.gpu.allocate("the shadow maps", make)?);
+        }
         let (encoding, samples) = match frame.show {
-            Show::Visibility => (Encoding::Linear, 1),
-            Show::World | Show::Unshadowed | Show::Shadowed | Show::Splits => {
+            Show::Visibility(_) => (Encoding::Linear, 1),
+            Show::Given(_) => (Encoding::Srgb, 1),
+            Show::World | Show::Unshadowed | Show::Splits => {
                 (Encoding::Srgb, if frame.samples > 1 { 4 } else { 1 })
             }
         };
@@ -246,9 +275,9 @@ impl<'a> Renderer<'a> {
         numbers: &wgpu::Buffer,
         draws: &[Draw],
     ) -> Result<(), RenderError> {
-        let (Some(shading), Some(target)) = (&self.shading, &self.target) else { return Ok(()) };
-        shading.upload(self.gpu, &frame.camera, &frame.sun, frame.sun_colour, frame.show)?;
         let mut encoder = self.encoder();
+        let (Some(shading), Some(target)) = (&mut self.shading, &self.target) else { return Ok(()) };
+        shading.upload(self.gpu, &self.buffers, frame)?;
         self.timer.pass(SHADE, &mut encoder, |encoder, timestamps| {
             let mut pass = target.begin(encoder, timestamps);
             shading.record(&mut pass, &self.buffers, &self.shadows, numbers, draws);

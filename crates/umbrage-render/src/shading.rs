@@ -1,26 +1,49 @@
 //! The shading pass: every receiver once, with the sun's visibility asked of umbrage; then the sky.
 
 use encase::{ShaderType, UniformBuffer};
-use glam::{Mat4, Vec3};
-use umbrage::{Camera, Light, Shadows};
+use glam::{Mat4, Vec3, Vec4};
+use umbrage::{MAX_LIGHTS, Rays, Shadows};
 
 use crate::draws::Draw;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
-use crate::renderer::Show;
+use crate::renderer::{Frame, Lamp, Show};
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers, filled};
 use crate::target::{DEPTH_FORMAT, Encoding};
+
+#[derive(Clone, Copy, Debug, Default, ShaderType)]
+struct LampUniform {
+    place: Vec4,
+    axis: Vec3,
+    range: f32,
+    colour: Vec3,
+    cone_scale: f32,
+    cone_offset: f32,
+}
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct SceneUniform {
     clip_from_world: Mat4,
     world_from_clip: Mat4,
     eye: Vec3,
-    known_visibility: f32,
+    asked: u32,
     direction_to_sun: Vec3,
     tint: f32,
     sun: Vec3,
+    lamp_count: u32,
+    shown_lamp: u32,
+    width: u32,
+    daylight: f32,
+    lamps: [LampUniform; MAX_LIGHTS],
 }
+
+/// For `asked`: whom the shader asks for visibility.
+const MAPS: u32 = 0;
+const NOBODY: u32 = 1;
+const GIVEN: u32 = 2;
+
+/// How bright the sky is without a sun.
+const NIGHT: f32 = 0.04;
 
 /// Pipelines that shade a scene one way, for one kind of target.
 #[derive(Debug)]
@@ -28,16 +51,13 @@ pub(crate) struct Shading {
     pub encoding: Encoding,
     pub samples: u32,
     uniform: wgpu::Buffer,
+    /// One number a pixel, where visibility is given.
+    given: wgpu::Buffer,
+    layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
     receivers: wgpu::RenderPipeline,
     sky: wgpu::RenderPipeline,
 }
-
-/// The light of the sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
-const SUN_LIGHT: f32 = 2.6;
-
-/// For `known_visibility`, where it is not known.
-const ASK_THE_MAPS: f32 = -1.0;
 
 impl Shading {
     pub fn new(
@@ -56,14 +76,8 @@ impl Shading {
         });
         let scene_layout = scene_layout(device);
         let uniform = filled(gpu, "scene uniform", &scene_bytes(None)?, wgpu::BufferUsages::UNIFORM)?;
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("Shading::group"),
-            layout: &scene_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: scene.instances.as_entire_binding() },
-            ],
-        });
+        let given = given_buffer(gpu, 1);
+        let group = scene_group(device, &scene_layout, &uniform, scene, &given);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("Shading::layout"),
             bind_group_layouts: &[
@@ -108,33 +122,20 @@ impl Shading {
         };
         let receivers = pipeline("receiver", shade, &RECEIVER_BUFFERS, wgpu::CompareFunction::Greater);
         let sky = pipeline("sky", sky_shade, &[], wgpu::CompareFunction::GreaterEqual);
-        Ok(Self { encoding, samples, uniform, group, receivers, sky })
+        Ok(Self { encoding, samples, uniform, given, layout: scene_layout, group, receivers, sky })
     }
 
-    /// Tells the GPU of a camera, a sun and what to show.
-    pub fn upload(
-        &self,
-        gpu: &Gpu,
-        camera: &Camera,
-        sun: &Light,
-        colour: Vec3,
-        show: Show,
-    ) -> Result<(), RenderError> {
-        let clip_from_world = camera.clip_from_world();
-        let bytes = scene_bytes(Some(SceneUniform {
-            clip_from_world,
-            world_from_clip: clip_from_world.inverse(),
-            eye: camera.eye(),
-            known_visibility: match show {
-                Show::Unshadowed => 1.0,
-                Show::Shadowed => 0.0,
-                Show::World | Show::Splits | Show::Visibility => ASK_THE_MAPS,
-            },
-            direction_to_sun: sun.direction_to_light(),
-            tint: f32::from(u8::from(show == Show::Splits)),
-            sun: colour * SUN_LIGHT,
-        }))?;
-        gpu.queue.write_buffer(&self.uniform, 0, &bytes);
+    /// Tells the GPU of a frame.
+    pub fn upload(&mut self, gpu: &Gpu, scene: &SceneBuffers, frame: &Frame) -> Result<(), RenderError> {
+        if let Show::Given(bits) = &frame.show {
+            let bytes: &[u8] = bytemuck::cast_slice(bits);
+            if self.given.size() < bytes.len() as u64 {
+                self.given = given_buffer(gpu, bits.len());
+                self.group = scene_group(&gpu.device, &self.layout, &self.uniform, scene, &self.given);
+            }
+            gpu.queue.write_buffer(&self.given, 0, bytes);
+        }
+        gpu.queue.write_buffer(&self.uniform, 0, &scene_bytes(Some(uniform_of(frame)))?);
         Ok(())
     }
 
@@ -182,8 +183,84 @@ fn scene_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         entries: &[
             entry(0, wgpu::ShaderStages::VERTEX_FRAGMENT, wgpu::BufferBindingType::Uniform),
             entry(1, wgpu::ShaderStages::VERTEX, wgpu::BufferBindingType::Storage { read_only: true }),
+            entry(2, wgpu::ShaderStages::FRAGMENT, wgpu::BufferBindingType::Storage { read_only: true }),
         ],
     })
+}
+
+fn scene_group(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    uniform: &wgpu::Buffer,
+    scene: &SceneBuffers,
+    given: &wgpu::Buffer,
+) -> wgpu::BindGroup {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("Shading::group"),
+        layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: scene.instances.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 2, resource: given.as_entire_binding() },
+        ],
+    })
+}
+
+fn given_buffer(gpu: &Gpu, pixels: usize) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("Shading::given"),
+        size: 4 * pixels.max(1) as u64,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+fn uniform_of(frame: &Frame) -> SceneUniform {
+    let clip_from_world = frame.camera.clip_from_world();
+    let mut lamps = [LampUniform::default(); MAX_LIGHTS];
+    for (slot, lamp) in lamps.iter_mut().zip(&frame.lamps) {
+        *slot = lamp_uniform(lamp);
+    }
+    let sun = frame.lamps.iter().find(|lamp| matches!(lamp.light.rays, Rays::Directional { .. }));
+    SceneUniform {
+        clip_from_world,
+        world_from_clip: clip_from_world.inverse(),
+        eye: frame.camera.eye(),
+        asked: match frame.show {
+            Show::Unshadowed => NOBODY,
+            Show::Given(_) => GIVEN,
+            Show::World | Show::Splits | Show::Visibility(_) => MAPS,
+        },
+        direction_to_sun: sun.map_or(Vec3::NEG_Y, |sun| sun.light.direction_from(Vec3::ZERO)),
+        tint: f32::from(u8::from(frame.show == Show::Splits)),
+        sun: sun.map_or(Vec3::ZERO, |sun| sun.colour),
+        lamp_count: frame.lamps.len() as u32,
+        shown_lamp: if let Show::Visibility(lamp) = frame.show { lamp as u32 } else { 0 },
+        width: frame.width,
+        daylight: if sun.is_some() { 1.0 } else { NIGHT },
+        lamps,
+    }
+}
+
+fn lamp_uniform(lamp: &Lamp) -> LampUniform {
+    let Lamp { light, colour, cone: [inner, outer] } = *lamp;
+    let everywhere = LampUniform { colour, cone_scale: 0.0, cone_offset: 1.0, ..LampUniform::default() };
+    match light.rays {
+        Rays::Spot { position, direction, range, .. } => {
+            // As KHR_lights_punctual has it.
+            let cone_scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);
+            LampUniform {
+                place: position.extend(1.0),
+                axis: direction,
+                range,
+                cone_scale,
+                cone_offset: -outer.cos() * cone_scale,
+                ..everywhere
+            }
+        }
+        Rays::Point { position, range } => LampUniform { place: position.extend(1.0), range, ..everywhere },
+        _ => LampUniform { place: light.direction_from(Vec3::ZERO).extend(0.0), ..everywhere },
+    }
 }
 
 /// The uniform's bytes; zeros where there is no frame yet.

@@ -14,14 +14,14 @@ fn frame(scene: &Scene, show: Show) -> Frame {
     let (width, height) = (320, 180);
     let camera =
         umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a good camera");
-    let (sun, sun_colour) = umbrage_render::sun(scene).expect("a sun");
-    Frame { camera, sun, sun_colour, seconds: 0.0, width, height, samples: 1, show }
+    let lamps = scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
+    Frame { camera, lamps, seconds: 0.0, width, height, samples: 1, show }
 }
 
 fn draw(gpu: &Gpu, scene: &Scene, settings: Settings, cull_parts: bool) -> (Rendered, Picture, MapTexels) {
     let mut renderer = Renderer::new(gpu, scene, settings).expect("a renderer");
     renderer.cull_parts = cull_parts;
-    let rendered = renderer.render(&frame(scene, Show::Visibility)).expect("a frame");
+    let rendered = renderer.render(&frame(scene, Show::Visibility(0))).expect("a frame");
     (rendered, renderer.picture().expect("a picture"), renderer.maps().expect("maps"))
 }
 
@@ -60,10 +60,10 @@ fn an_exported_world_draws_as_the_built_in_one() {
     let built_in = worlds::build("knights", 0).expect("a world");
     let bytes = to_glb(&built_in).expect("a file");
     let from_file = load_glb_bytes(&bytes, "knights").expect("the file reads back").scene;
-    for show in [Show::World, Show::Visibility] {
+    for show in [Show::World, Show::Visibility(0)] {
         let picture = |scene: &Scene| {
             let mut renderer = Renderer::new(&gpu, scene, Settings::default()).expect("a renderer");
-            renderer.render(&frame(scene, show)).expect("a frame");
+            renderer.render(&frame(scene, show.clone())).expect("a frame");
             renderer.picture().expect("a picture")
         };
         assert!(picture(&built_in) == picture(&from_file), "{show:?}: the pictures differ");
@@ -137,7 +137,7 @@ fn pictures_show_shadow_sky_and_splits_where_they_should() {
         renderer.picture().expect("a picture").rgba
     };
     let (world, plain, splits, visibility) =
-        (shown(Show::World), shown(Show::Unshadowed), shown(Show::Splits), shown(Show::Visibility));
+        (shown(Show::World), shown(Show::Unshadowed), shown(Show::Splits), shown(Show::Visibility(0)));
     let (mut shadowed, mut lit, mut tinted) = (0, 0, 0);
     for i in (0..world.len()).step_by(4) {
         let (world, plain, splits) = (&world[i..i + 3], &plain[i..i + 3], &splits[i..i + 3]);

@@ -5,6 +5,7 @@
 pub(crate) mod chessmen;
 pub(crate) mod craft;
 pub(crate) mod folk;
+pub(crate) mod furniture;
 pub(crate) mod mine;
 pub(crate) mod plants;
 pub(crate) mod robots;

@@ -61,7 +61,13 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
     }
     for light in lights {
         let extensions = Some(pieces::add_light(&mut document, light)?);
-        nodes.push(Node { extensions, name: Some(light.name.clone()), ..node(light.world_from_light)? });
+        let extras = extras::of_motion(&light.motion)?;
+        nodes.push(Node {
+            extensions,
+            extras,
+            name: Some(light.name.clone()),
+            ..node(light.world_from_light)?
+        });
     }
     let nodes = nodes.into_iter().map(|node| document.root.push(node)).collect();
     let extras = extras::of_path(path)?;

@@ -1,7 +1,7 @@
-//! What glTF has no words for: how instances move, and the camera's path. They travel as `extras`, under one key:
+//! What glTF has no words for: how instances and lights move, and the camera's path. They travel as `extras`, under one key:
 //!
 //! - of the scene: `{"umbrage": {"path": [[eye, target], …]}}`
-//! - of a node: `{"umbrage": {"turn": {"centre": …, "axis": …, "radians_per_second": …}}}`
+//! - of the node of an instance or a light: `{"umbrage": {"turn": {"centre": …, "axis": …, "radians_per_second": …}}}`
 //!
 //! Points and directions are lists of three numbers, in world space.
 

@@ -1,8 +1,8 @@
 //! A world: what is in it, where it stands, how it moves, and where it is seen from.
 
-use glam::{Mat4, Vec3};
+use glam::Mat4;
 
-use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Texture};
+use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Motion, Texture};
 
 /// A whole world. Indices between its lists are always in range: the importer and the built-in worlds see to it.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +19,8 @@ pub struct Scene {
     pub textures: Vec<Texture>,
     /// Where to look from; the first is the main one. Never empty after [`crate::load`] or [`crate::worlds`].
     pub cameras: Vec<Camera>,
-    /// What lights it; the first directional one is the sun. Never empty after [`crate::load`] or [`crate::worlds`].
+    /// What lights it; the first directional one, if there is one, is the sun. Never empty after [`crate::load`] or
+    /// [`crate::worlds`].
     pub lights: Vec<Light>,
     /// A flight through the world, for measurements over time.
     pub path: CameraPath,
@@ -36,24 +37,6 @@ pub struct Instance {
     pub motion: Motion,
 }
 
-/// How an instance moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Motion {
-    /// It never does.
-    #[default]
-    Still,
-    /// It turns about an axis through `centre`, in world space: a wheel where the centre is its own, a march in a
-    /// circle where it is far.
-    Turn {
-        /// A point on the axis, in world space.
-        centre: Vec3,
-        /// Unit direction of the axis, in world space.
-        axis: Vec3,
-        /// Counter-clockwise seen against the axis.
-        radians_per_second: f32,
-    },
-}
-
 impl Instance {
     /// A mesh that stands still.
     pub fn still(mesh: usize, world_from_mesh: Mat4) -> Self {
@@ -67,13 +50,7 @@ impl Instance {
 
     /// Where it stands `seconds` after the start; exactly [`Self::world_from_mesh`] at 0.
     pub fn world_from_mesh_at(&self, seconds: f32) -> Mat4 {
-        match self.motion {
-            Motion::Turn { centre, axis, radians_per_second } if seconds != 0.0 => {
-                let turn = Mat4::from_axis_angle(axis, radians_per_second * seconds);
-                Mat4::from_translation(centre) * turn * Mat4::from_translation(-centre) * self.world_from_mesh
-            }
-            Motion::Turn { .. } | Motion::Still => self.world_from_mesh,
-        }
+        self.motion.moved(self.world_from_mesh, seconds)
     }
 }
 
@@ -88,20 +65,5 @@ impl Scene {
         self.instances.iter().fold(Aabb::EMPTY, |sum, instance| {
             sum.union(self.meshes[instance.mesh].bounds.transformed(&instance.world_from_mesh_at(seconds)))
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_quarter_turn_about_the_origin_takes_x_to_minus_z() {
-        let quarter = std::f32::consts::FRAC_PI_2;
-        let motion = Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: quarter };
-        let instance = Instance { mesh: 0, world_from_mesh: Mat4::from_translation(Vec3::X), motion };
-        assert_eq!(instance.world_from_mesh_at(0.0), instance.world_from_mesh);
-        let moved = instance.world_from_mesh_at(1.0).transform_point3(Vec3::ZERO);
-        assert!((moved - Vec3::NEG_Z).length() < 1e-6, "{moved}");
     }
 }

@@ -2,18 +2,26 @@
 //!
 //! Each world is deterministic: the same name and seed give the same scene. Each has at least the cameras "main",
 //! "far" (all of it), "close" (the edge of a shadow), "split" (along the ground, so that split planes cross visible
-//! shadows) and "dueling" (against the light, the hardest case for warped shadow maps), and a flight path.
+//! shadows) and "dueling" (against the first light, the hardest case for warped shadow maps), and a flight path.
+//!
+//! Most have a sun of 3 lux. Some have spot or point lights instead, which may move. Their candela are chosen for the
+//! same eye: candela / distance² is 1 to 3 lux at the places that matter, where a renderer that shows a surface facing
+//! the sun at 2.6 shows candela / distance² as it is.
 
 mod brick_ground;
+mod closed_room;
 mod huge_chessboard;
 mod knights;
 mod mining_terrain;
+mod night_chessboard;
+mod orbit;
 mod paint;
 mod picture;
 mod primitives;
 mod robot_war;
 mod scanned;
 mod stage;
+mod tutorial_room;
 
 #[cfg(test)]
 mod tests;
@@ -57,10 +65,28 @@ pub const ALL: &[World] = &[
         build: primitives::build,
     },
     World {
+        name: "orbit",
+        source: "a course deck on shadow rendering",
+        summary: "basic solids, and a spot light that circles around them in 12 s",
+        build: orbit::build,
+    },
+    World {
         name: "bunny",
         source: THESIS,
         summary: "the Stanford bunny, 3 m tall, on a ground",
         build: scanned::bunny,
+    },
+    World {
+        name: "tutorial-room",
+        source: "opengl-tutorial.org, Tutorial 16",
+        summary: "a room with thick walls and a window, under one spot light of 45°",
+        build: tutorial_room::build,
+    },
+    World {
+        name: "closed-room",
+        source: "made for point lights",
+        summary: "a closed, furnished room of 108 m² with one point light",
+        build: closed_room::build,
     },
     World {
         name: "dragon",
@@ -85,6 +111,12 @@ pub const ALL: &[World] = &[
         source: PSSM,
         summary: "32 chessmen on a board of 0.49 km², 51 K triangles",
         build: huge_chessboard::build,
+    },
+    World {
+        name: "night-chessboard",
+        source: PSSM,
+        summary: "the huge chessboard at night, under twelve spot lights, 54 K triangles",
+        build: night_chessboard::build,
     },
     World {
         name: "knights",

@@ -2,11 +2,12 @@
 
 mod common;
 
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::fs;
 
 use common::{CORNERS, Doc, floats, png, shorts};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_scene::{Imported, Lens, LightKind, Mesh, load};
+use umbrage_scene::{Imported, Lens, LightKind, Mesh, Motion, load};
 
 /// The only mesh of a document.
 fn mesh(doc: &Doc) -> Mesh {
@@ -204,6 +205,37 @@ fn punctual_lights_are_read() {
     assert_eq!(kinds, [LightKind::Directional, LightKind::Point { range: 4.0 }, spot]);
     assert_eq!((scene.lights[0].colour, scene.lights[0].intensity), (Vec3::new(1.0, 0.5, 0.0), 3.0));
     assert_eq!(scene.lights[2].position(), Vec3::Y * 2.0);
+}
+
+#[test]
+fn spots_may_be_as_wide_as_the_specification_allows() {
+    let mut doc = Doc::triangle();
+    doc.nodes = r#"{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}},
+        {"extensions": {"KHR_lights_punctual": {"light": 1}}}"#
+        .to_owned();
+    doc.rest = r#", "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}},
+        {"type": "spot", "spot": {"innerConeAngle": 1.5, "outerConeAngle": 1.5707963267948966}}]}}"#
+        .to_owned();
+    let kinds: Vec<_> = doc.load().unwrap().scene.lights.iter().map(|light| light.kind).collect();
+    let spot = |inner, outer| LightKind::Spot { inner, outer, range: f32::INFINITY };
+    assert_eq!(kinds, [spot(0.0, FRAC_PI_4), spot(1.5, FRAC_PI_2)]);
+}
+
+#[test]
+fn a_lights_motion_is_read_and_a_malformed_one_ignored_with_a_warning() {
+    let mut doc = Doc::triangle();
+    let lamp = |extras: &str| {
+        format!(
+            r#"{{"extensions": {{"KHR_lights_punctual": {{"light": 0}}}}, "extras": {{"umbrage": {{"turn": {extras}}}}}}}"#
+        )
+    };
+    let turn = r#"{"centre": [0, 1, 0], "axis": [0, 1, 0], "radians_per_second": 2}"#;
+    doc.nodes = format!(r#"{{"mesh": 0}}, {}, {}"#, lamp(turn), lamp("3"));
+    doc.rest = r#", "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}}"#.to_owned();
+    let Imported { scene, warnings } = doc.load().unwrap();
+    let turn = Motion::Turn { centre: Vec3::Y, axis: Vec3::Y, radians_per_second: 2.0 };
+    assert_eq!(scene.lights.iter().map(|light| light.motion).collect::<Vec<_>>(), [turn, Motion::Still]);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
 }
 
 /// A textured triangle whose picture is image 0, given by these members.

@@ -10,17 +10,20 @@ struct UmbrageView {
     tile_size: f32,
     /// Array layer.
     layer: i32,
-    /// Larger side of a texel on a receiver that faces the light, metres.
-    texel_metres: f32,
-    /// How much one unit of depth is, metres.
-    depth_metres: f32,
+    /// The view depths that it serves, metres; and the farther one as reversed clip depth.
+    depth_start: f32,
+    depth_end: f32,
+    clip_depth_end: f32,
 }
 
 struct UmbrageLight {
-    /// Unit, in world space.
-    direction_to_light: vec3f,
+    /// In world space: the unit direction to a sun, and 0; or the place of a lamp, and 1.
+    place: vec4f,
     /// Index of its first view.
     first_view: u32,
+    view_count: u32,
+    /// 1 where the views are the faces of a cube.
+    is_cube: u32,
 }
 
 struct UmbrageFrame {
@@ -29,10 +32,8 @@ struct UmbrageFrame {
     /// The camera's reversed clip depth is dot(clip_z_row, …) / dot(clip_w_row, …).
     clip_z_row: vec4f,
     clip_w_row: vec4f,
-    /// Where each split ends, metres; and the same as reversed clip depths.
-    split_ends: array<f32, 9>,
-    split_clip_ends: array<f32, 9>,
-    split_count: u32,
+    /// View depth at which shadows end, metres.
+    shadow_end: f32,
     light_count: u32,
     /// Size of the maps' texture, texels.
     map_size: vec2f,
@@ -41,7 +42,7 @@ struct UmbrageFrame {
     /// Bias toward the light, texels times tangent.
     bias_slope: f32,
     bias_slope_limit: f32,
-    /// Offset along the normal, texels times sine: √2 · kernel half width · bias.normal.
+    /// Offset along the normal, in texels: kernel half width · bias.normal.
     bias_normal: f32,
     shadow_colour: vec4f,
     darkness: f32,

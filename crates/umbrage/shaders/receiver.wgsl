@@ -1,7 +1,8 @@
 // What a receiver's fragment shader needs: how much of a light reaches a point, 1 for all and 0 for none.
 //
-// `umbrage_select` comes from a file of `select/`, `umbrage_gradient` from one of `reference/`, `umbrage_filter` from one
-// of `filter/`, `umbrage_shade` from one of `shade/`.
+// `umbrage_footing` comes from `footing.wgsl`, `umbrage_select` from a file of `select/`, `umbrage_gradient` and
+// `umbrage_lift` from one of `reference/`, `umbrage_filter` from one of `filter/`, `umbrage_blend` from one of `blend/`, `umbrage_shade` from one of
+// `shade/`.
 
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
 @group(0) @binding(2) var umbrage_compare: sampler_comparison;
@@ -9,12 +10,22 @@
 /// No view serves the receiver.
 const UMBRAGE_NO_VIEW: u32 = 0xffffffffu;
 
+/// Who asks.
+struct UmbrageReceiver {
+    /// World space, metres.
+    position: vec3f,
+    /// Unit geometric normal.
+    normal: vec3f,
+    /// Its fragment's position on screen.
+    pixel: vec2f,
+    /// From the eye, metres.
+    depth: f32,
+}
+
 /// A place in a shadow map, and what to compare with what is stored there.
 struct UmbrageLookup {
-    /// In texels from the tile's upper left corner.
+    /// In texels from the tile's upper left corner; outside of it where the receiver is behind the light.
     texel: vec2f,
-    /// Depth of the receiver in the view, before bias.
-    depth: f32,
     /// Depth to compare with: lit where it is not greater than the stored one.
     reference: f32,
     /// How much the depth to compare with grows from a texel to the next, to the right and downward.
@@ -26,23 +37,40 @@ fn umbrage_view_depth(world_position: vec3f) -> f32 {
     return dot(umbrage_frame.depth_row, vec4f(world_position, 1.0));
 }
 
+/// Unit direction from a world-space point to a light.
+fn umbrage_direction_to_light(light: u32, world_position: vec3f) -> vec3f {
+    let place = umbrage_frame.lights[light].place;
+    let toward = place.xyz - world_position * place.w;
+    return select(place.xyz, toward * inverseSqrt(max(dot(toward, toward), 1e-30)), place.w > 0.0);
+}
+
 /// Where a receiver looks in a view, bias included. `world_normal` is the unit geometric normal.
 fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_normal: vec3f) -> UmbrageLookup {
-    let to_light = umbrage_frame.lights[light].direction_to_light;
-    let texel_metres = umbrage_frame.views[view_index].texel_metres;
+    let clip_from_world = umbrage_frame.views[view_index].clip_from_world;
+    let tile_size = umbrage_frame.views[view_index].tile_size;
+    let clip_unbiased = clip_from_world * vec4f(world_position, 1.0);
+    if clip_unbiased.w <= 0.0 {
+        return UmbrageLookup(vec2f(-1.0), 2.0, vec2f(0.0));
+    }
+    let footing = umbrage_footing(view_index, clip_unbiased);
+    let to_light = umbrage_direction_to_light(light, world_position);
     let cosine = clamp(dot(world_normal, to_light), 0.0, 1.0);
     let sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     let tangent = min(sine / max(cosine, 1e-6), umbrage_frame.bias_slope_limit);
-    let receiver = world_position + world_normal * (umbrage_frame.bias_normal * texel_metres * sine);
-    let clip = umbrage_frame.views[view_index].clip_from_world * vec4f(receiver, 1.0);
-    let ndc = clip.xyz / clip.w;
+    let lift = umbrage_frame.bias_normal * umbrage_lift(footing, world_normal, to_light);
+    let receiver = world_position + world_normal * lift;
+    let clip = clip_from_world * vec4f(receiver, 1.0);
+    // Toward the light: the place on the map stays.
+    let texel_metres = max(length(footing.right), length(footing.down));
     let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent;
-    let tile_size = umbrage_frame.views[view_index].tile_size;
+    let nearer = dot(footing.depth_gradient, to_light) * toward_light;
+    // Rasterisers round corners, so what is stored may be the depth of a place beside.
+    let slope = umbrage_slope(footing, world_normal, cosine);
+    let rounded = dot(abs(slope), vec2f(UMBRAGE_RASTER_STEP)) + umbrage_frame.depth_step;
     var lookup: UmbrageLookup;
-    lookup.texel = (ndc.xy * vec2f(0.5, -0.5) + 0.5) * tile_size;
-    lookup.depth = ndc.z;
-    lookup.reference = ndc.z - toward_light / umbrage_frame.views[view_index].depth_metres - umbrage_frame.depth_step;
-    lookup.gradient = umbrage_gradient(view_index, world_normal, cosine);
+    lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
+    lookup.reference = clip.z / clip.w + nearer - rounded;
+    lookup.gradient = umbrage_gradient(footing, world_normal, to_light);
     return lookup;
 }
 
@@ -65,33 +93,59 @@ fn umbrage_lit(view_index: u32, centre: vec2f, texel: vec2f, reference: f32, gra
     return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, layer, reference_there);
 }
 
+/// The face of a cube around a lamp that a world-space point is seen through: that of the largest part of its direction.
+fn umbrage_face(light: u32, world_position: vec3f) -> u32 {
+    let from_light = world_position - umbrage_frame.lights[light].place.xyz;
+    let size = abs(from_light);
+    let is_x = size.x >= size.y && size.x >= size.z;
+    let is_y = !is_x && size.y >= size.z;
+    let part = select(select(from_light.z, from_light.y, is_y), from_light.x, is_x);
+    return select(select(4u, 2u, is_y), 0u, is_x) + select(0u, 1u, part < 0.0);
+}
+
 /// Index of the view that serves a receiver, or UMBRAGE_NO_VIEW.
 fn umbrage_view_of(light: u32, world_position: vec3f, world_normal: vec3f) -> u32 {
     if light >= umbrage_frame.light_count {
         return UMBRAGE_NO_VIEW;
     }
     let depth = umbrage_view_depth(world_position);
-    if depth > umbrage_frame.split_ends[umbrage_frame.split_count - 1u] {
+    if depth > umbrage_frame.shadow_end {
         return UMBRAGE_NO_VIEW;
+    }
+    if umbrage_frame.lights[light].is_cube == 1u {
+        return umbrage_frame.lights[light].first_view + umbrage_face(light, world_position);
     }
     return umbrage_select(light, depth, world_position, world_normal);
 }
 
+/// What a view says of a receiver. Points outside the map are lit.
+fn umbrage_read(view_index: u32, lookup: UmbrageLookup, pixel: vec2f) -> f32 {
+    let tile_size = umbrage_frame.views[view_index].tile_size;
+    let outside =
+        any(lookup.texel < vec2f(0.0)) || any(lookup.texel > vec2f(tile_size)) || lookup.reference > 1.0;
+    if outside {
+        return 1.0;
+    }
+    return umbrage_filter(view_index, lookup.texel, lookup.reference, lookup.gradient, pixel);
+}
+
+fn umbrage_visibility_in(view_index: u32, light: u32, receiver: UmbrageReceiver) -> f32 {
+    let lookup = umbrage_lookup(view_index, light, receiver.position, receiver.normal);
+    return umbrage_read(view_index, lookup, receiver.pixel);
+}
+
 /// How much of one light reaches a world-space point. Points outside every map are lit, and so is everything by a light
-/// that the plan does not have. `pixel` is the fragment's
-/// position on screen.
+/// that the plan does not have, and what lies outside of a spot's cone: its shading leaves that dark. `pixel` is the
+/// fragment's position on screen.
 fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec3f, pixel: vec2f) -> f32 {
     let view_index = umbrage_view_of(light, world_position, world_normal);
     if view_index == UMBRAGE_NO_VIEW {
         return 1.0;
     }
+    let receiver = UmbrageReceiver(world_position, world_normal, pixel, umbrage_view_depth(world_position));
     let lookup = umbrage_lookup(view_index, light, world_position, world_normal);
-    let tile_size = umbrage_frame.views[view_index].tile_size;
-    let outside = any(lookup.texel < vec2f(0.0)) || any(lookup.texel > vec2f(tile_size)) || lookup.depth > 1.0;
-    if outside {
-        return 1.0;
-    }
-    return umbrage_filter(view_index, lookup.texel, lookup.reference, lookup.gradient, pixel);
+    let own = umbrage_read(view_index, lookup, pixel);
+    return umbrage_blend(view_index, light, lookup, own, receiver);
 }
 
 /// How much of the first light reaches a world-space point.

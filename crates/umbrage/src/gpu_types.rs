@@ -2,7 +2,7 @@
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{MAX_LIGHTS, MAX_SPLITS, Settings, Shade, ShadowPlan, normal_offset_texels};
+use umbrage_core::{Light, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan, normal_offset_texels};
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct GpuView {
@@ -10,14 +10,17 @@ struct GpuView {
     tile_origin: Vec2,
     tile_size: f32,
     layer: i32,
-    texel_metres: f32,
-    depth_metres: f32,
+    depth_start: f32,
+    depth_end: f32,
+    clip_depth_end: f32,
 }
 
 #[derive(Clone, Copy, Debug, Default, ShaderType)]
 struct GpuLight {
-    direction_to_light: Vec3,
+    place: Vec4,
     first_view: u32,
+    view_count: u32,
+    is_cube: u32,
 }
 
 #[derive(Clone, Debug, ShaderType)]
@@ -25,9 +28,7 @@ struct GpuFrame {
     depth_row: Vec4,
     clip_z_row: Vec4,
     clip_w_row: Vec4,
-    split_ends: [f32; MAX_SPLITS],
-    split_clip_ends: [f32; MAX_SPLITS],
-    split_count: u32,
+    shadow_end: f32,
     light_count: u32,
     map_size: Vec2,
     bias_constant: f32,
@@ -52,26 +53,19 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
     let camera = plan.camera();
     let clip_from_world = camera.clip_from_world();
     let forward = camera.forward();
-    let ends = plan.splits().get(1..).unwrap_or_default();
-    let per_split = |value: &dyn Fn(f32) -> f32| {
-        std::array::from_fn(|i| ends.get(i).map_or(0.0, |end| value(*end as f32)))
-    };
     let (shadow_colour, darkness) = match settings.shade {
         Shade::Absence { darkness } => ([0.0; 4], darkness),
         Shade::Colour { shadow_colour, darkness } => (shadow_colour, darkness),
     };
     let mut lights = [GpuLight::default(); MAX_LIGHTS];
-    for (slot, (i, light)) in lights.iter_mut().zip(plan.lights().iter().enumerate()) {
-        let first_view = plan.views().iter().position(|view| view.light == i).unwrap_or(0) as u32;
-        *slot = GpuLight { direction_to_light: light.direction_to_light(), first_view };
+    for (slot, (i, of)) in lights.iter_mut().zip(plan.lights().iter().enumerate()) {
+        *slot = light(plan, i, of);
     }
     let frame = GpuFrame {
         depth_row: forward.extend(-forward.dot(camera.eye())),
         clip_z_row: clip_from_world.row(2),
         clip_w_row: clip_from_world.row(3),
-        split_ends: per_split(&|end| end),
-        split_clip_ends: per_split(&|end| camera.clip_depth(end)),
-        split_count: ends.len() as u32,
+        shadow_end: plan.splits().last().map_or(0.0, |end| *end as f32),
         light_count: plan.lights().len() as u32,
         map_size: Vec2::new(map_size[0] as f32, map_size[1] as f32),
         bias_constant: settings.bias.constant,
@@ -82,7 +76,7 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
         darkness,
         depth_step: settings.depth.step(),
         lights,
-        views: plan.views().iter().map(view).collect(),
+        views: plan.views().iter().map(|of| view(plan, of)).collect(),
     };
     let mut buffer = StorageBuffer::new(Vec::new());
     match buffer.write(&frame) {
@@ -92,14 +86,30 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
     }
 }
 
-fn view(view: &umbrage_core::ShadowView) -> GpuView {
+fn light(plan: &ShadowPlan, index: usize, light: &Light) -> GpuLight {
+    let mut views = plan.views().iter().filter(|view| view.light == index);
+    let place = match light.rays {
+        Rays::Spot { position, .. } | Rays::Point { position, .. } => position.extend(1.0),
+        // Suns, and whatever may come, which has a direction everywhere.
+        _ => light.direction_from(Vec3::ZERO).extend(0.0),
+    };
+    GpuLight {
+        place,
+        first_view: views.next().map_or(0, |view| view.index as u32),
+        view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
+        is_cube: u32::from(matches!(light.rays, Rays::Point { .. })),
+    }
+}
+
+fn view(plan: &ShadowPlan, view: &umbrage_core::ShadowView) -> GpuView {
     GpuView {
         clip_from_world: view.clip_from_world,
         tile_origin: Vec2::new(view.tile.x as f32, view.tile.y as f32),
         tile_size: view.tile.size as f32,
         layer: view.tile.layer as i32,
-        texel_metres: view.texel_metres,
-        depth_metres: view.depth_metres,
+        depth_start: view.depths.start,
+        depth_end: view.depths.end,
+        clip_depth_end: plan.camera().clip_depth(view.depths.end),
     }
 }
 
@@ -123,16 +133,24 @@ mod tests {
     #[test]
     fn shader_and_rust_agree_where_every_field_lies() {
         let of_view = |i| GpuView::METADATA.offset(i);
-        let view = ["clip_from_world", "tile_origin", "tile_size", "layer", "texel_metres", "depth_metres"];
+        let view = [
+            "clip_from_world",
+            "tile_origin",
+            "tile_size",
+            "layer",
+            "depth_start",
+            "depth_end",
+            "clip_depth_end",
+        ];
         same("UmbrageView", &view, of_view);
-        same("UmbrageLight", &["direction_to_light", "first_view"], |i| GpuLight::METADATA.offset(i));
+        same("UmbrageLight", &["place", "first_view", "view_count", "is_cube"], |i| {
+            GpuLight::METADATA.offset(i)
+        });
         let frame = [
             "depth_row",
             "clip_z_row",
             "clip_w_row",
-            "split_ends",
-            "split_clip_ends",
-            "split_count",
+            "shadow_end",
             "light_count",
             "map_size",
             "bias_constant",

@@ -4,7 +4,9 @@
 //! Mirrors `shaders/receiver.wgsl`, `shaders/select/`, `shaders/reference/` and `shaders/filter/`, in f32 as they do.
 
 use glam::{Vec2, Vec3};
-use umbrage_core::{Filter, Select, Settings, ShadowPlan, ShadowView, bias_metres, kernel_half_width_texels};
+use umbrage_core::{
+    Filter, RASTER_STEP_TEXELS, Rays, Select, Settings, ShadowPlan, ShadowView, kernel_half_width_texels,
+};
 
 use crate::maps::MapTexels;
 
@@ -19,33 +21,82 @@ pub struct Lookup<'a> {
     pub maps: &'a MapTexels,
 }
 
-/// A place in a tile, in texels, the receiver's depth there, and what to compare: there, and how much more a texel on.
+/// A place in a tile, in texels, and what to compare: there, and how much more a texel on.
 struct Place {
     texel: Vec2,
-    depth: f32,
     reference: f32,
     gradient: Vec2,
+}
+
+/// A receiver of one light's shadows, and what it is looked up with.
+#[derive(Clone, Copy)]
+struct Receiver<'a> {
+    plan: &'a ShadowPlan,
+    settings: &'a Settings,
+    light: usize,
+    position: Vec3,
+    /// Unit, geometric.
+    normal: Vec3,
+    /// From the eye, metres.
+    depth: f32,
 }
 
 /// The view whose map serves a receiver; `None` where none does, and the receiver counts as lit. `world_normal` is unit
 /// and geometric.
 pub fn view_of<'a>(
     plan: &'a ShadowPlan,
-    settings: &Settings,
+    settings: &'a Settings,
     light: usize,
     world_position: Vec3,
     world_normal: Vec3,
 ) -> Option<&'a ShadowView> {
-    served(plan, settings, light, world_position, world_normal).map(|(view, _)| view)
+    Receiver::new(plan, settings, light, world_position, world_normal)?.view()
 }
 
 impl Lookup<'_> {
     /// How much of a light reaches a point, from 0 to 1. `world_normal` is unit and geometric.
     pub fn visibility(&self, light: usize, world_position: Vec3, world_normal: Vec3) -> f32 {
-        match served(self.plan, self.settings, light, world_position, world_normal) {
-            Some((view, place)) => self.filter(view, place.texel, place.reference, place.gradient),
-            None => 1.0,
+        let Self { plan, settings, .. } = *self;
+        let receiver = Receiver::new(plan, settings, light, world_position, world_normal);
+        receiver.and_then(|receiver| Some(self.blended(&receiver, receiver.view()?))).unwrap_or(1.0)
+    }
+
+    /// What a view says of a receiver. Points outside the map are lit.
+    fn read(&self, view: &ShadowView, place: &Place) -> f32 {
+        let size = Vec2::splat(view.tile.size as f32);
+        let outside = place.texel.cmplt(Vec2::ZERO).any() || place.texel.cmpgt(size).any();
+        if outside || place.reference > 1.0 {
+            return 1.0;
         }
+        self.filter(view, place.texel, place.reference, place.gradient)
+    }
+
+    /// As `umbrage_blend` of the shaders.
+    fn blended(&self, receiver: &Receiver<'_>, view: &ShadowView) -> f32 {
+        let place = receiver.place(view);
+        let own = self.read(view, &place);
+        let blend = self.settings.blend;
+        if blend == 0.0 {
+            return own;
+        }
+        let is_cube = matches!(self.plan.lights()[view.light].rays, Rays::Point { .. });
+        let share = match self.settings.select {
+            Select::Depth | Select::ClipDepth => {
+                (view.depths.end - receiver.depth) / ((view.depths.end - view.depths.start) * blend)
+            }
+            Select::Map => {
+                let from_middle = (place.texel / view.tile.size as f32 * 2.0 - 1.0).abs();
+                (1.0 - from_middle.max_element()) / blend
+            }
+        };
+        let next = if is_cube || share >= 1.0 { None } else { receiver.next(view) };
+        let mixed = match next {
+            Some(next) => mix(self.read(next, &receiver.place(next)), own, smoothstep(share)),
+            None => own,
+        };
+        let end = self.plan.splits().last().map_or(0.0, |end| *end as f32);
+        let left = (end - receiver.depth) / ((end - view.depths.start) * blend).max(1e-30);
+        mix(1.0, mixed, smoothstep(left))
     }
 
     /// What the filter makes of a place in a view's tile, given in texels from its upper left corner. `reference` is the
@@ -84,65 +135,104 @@ fn bilinear(view: &ShadowView, texel: Vec2, lit: impl Fn(i64, i64) -> f32) -> f3
     upper + (lower - upper) * share.y
 }
 
-/// The view that serves a receiver, and where the receiver looks in it.
-fn served<'a>(
-    plan: &'a ShadowPlan,
-    settings: &Settings,
-    light: usize,
-    position: Vec3,
-    normal: Vec3,
-) -> Option<(&'a ShadowView, Place)> {
-    let camera = plan.camera();
-    let forward = camera.forward();
-    let depth = forward.extend(-forward.dot(camera.eye())).dot(position.extend(1.0));
-    let beyond = plan.splits().last().is_none_or(|end| depth > *end as f32);
-    if beyond || light >= plan.lights().len() {
-        return None;
+impl<'a> Receiver<'a> {
+    /// `None` beyond the end of shadows, and for a light that the plan does not have.
+    fn new(
+        plan: &'a ShadowPlan,
+        settings: &'a Settings,
+        light: usize,
+        position: Vec3,
+        normal: Vec3,
+    ) -> Option<Self> {
+        let camera = plan.camera();
+        let forward = camera.forward();
+        let depth = forward.extend(-forward.dot(camera.eye())).dot(position.extend(1.0));
+        let is_within = plan.splits().last().is_some_and(|end| depth <= *end as f32);
+        let receiver = Self { plan, settings, light, position, normal, depth };
+        (is_within && light < plan.lights().len()).then_some(receiver)
     }
-    let view = select(plan, settings, light, depth, position, normal)?;
-    let place = place(plan, settings, view, position, normal);
-    let Place { texel, depth, reference: _, gradient: _ } = place;
-    let outside = texel.cmplt(Vec2::ZERO).any() || texel.cmpgt(Vec2::splat(view.tile.size as f32)).any();
-    (!outside && depth <= 1.0).then_some((view, place))
-}
 
-fn select<'a>(
-    plan: &'a ShadowPlan,
-    settings: &Settings,
-    light: usize,
-    depth: f32,
-    position: Vec3,
-    normal: Vec3,
-) -> Option<&'a ShadowView> {
-    let mut views = plan.views().iter().filter(|view| view.light == light);
-    let inner = || plan.splits().iter().skip(1).take(plan.splits().len().saturating_sub(2));
-    match settings.select {
-        Select::Depth => views.nth(inner().filter(|end| depth >= **end as f32).count()),
-        Select::ClipDepth => {
-            let camera = plan.camera();
-            let clip = camera.clip_from_world() * position.extend(1.0);
-            views.nth(inner().filter(|end| clip.z / clip.w <= camera.clip_depth(**end as f32)).count())
+    fn views(&self) -> impl Iterator<Item = &'a ShadowView> + use<'a> {
+        let light = self.light;
+        self.plan.views().iter().filter(move |view| view.light == light)
+    }
+
+    /// The view that serves it.
+    fn view(&self) -> Option<&'a ShadowView> {
+        if let Rays::Point { position, .. } = self.plan.lights()[self.light].rays {
+            return self.views().nth(face(self.position - position));
         }
-        Select::Map => views.find(|view| {
-            let place = place(plan, settings, view, position, normal);
-            let low = Vec2::splat(kernel_half_width_texels(settings.filter));
-            let high = Vec2::splat(view.tile.size as f32) - low;
-            let inside = place.texel.cmpge(low).all() && place.texel.cmple(high).all();
-            let nearest = place.reference - place.gradient.abs().dot(low);
-            inside && nearest >= 0.0 && place.depth <= 1.0
-        }),
+        let ends = || self.views().take(self.views().count().saturating_sub(1)).map(|view| view.depths.end);
+        match self.settings.select {
+            Select::Depth => self.views().nth(ends().filter(|end| self.depth >= *end).count()),
+            Select::ClipDepth => {
+                let camera = self.plan.camera();
+                let clip = camera.clip_from_world() * self.position.extend(1.0);
+                let is_beyond = |end: &f32| clip.z / clip.w <= camera.clip_depth(*end);
+                self.views().nth(ends().filter(is_beyond).count())
+            }
+            Select::Map => self.views().find(|view| self.is_held_by(view)),
+        }
+    }
+
+    /// The view that `view` is blended with.
+    fn next(&self, view: &ShadowView) -> Option<&'a ShadowView> {
+        let mut after = self.views().filter(|other| other.index > view.index);
+        match self.settings.select {
+            Select::Depth | Select::ClipDepth => after.next(),
+            Select::Map => after.find(|view| self.is_held_by(view)),
+        }
+    }
+
+    /// Whether a view's map holds the whole footprint of the filter.
+    fn is_held_by(&self, view: &ShadowView) -> bool {
+        let place = self.place(view);
+        let low = Vec2::splat(kernel_half_width_texels(self.settings.filter));
+        let high = Vec2::splat(view.tile.size as f32) - low;
+        let inside = place.texel.cmpge(low).all() && place.texel.cmple(high).all();
+        let nearest = place.reference - place.gradient.abs().dot(low);
+        inside && nearest >= 0.0 && place.reference <= 1.0
+    }
+
+    fn place(&self, view: &ShadowView) -> Place {
+        let Self { settings, position, normal, .. } = *self;
+        if (view.clip_from_world * position.extend(1.0)).w <= 0.0 {
+            return Place { texel: Vec2::NEG_ONE, reference: 2.0, gradient: Vec2::ZERO };
+        }
+        let to_light = self.plan.lights()[view.light].direction_from(position);
+        let footing = view.texel_at(position);
+        let bias = settings.bias_metres(&footing, normal, to_light);
+        let ndc = view.clip_from_world.project_point3(position + normal * bias.along_normal);
+        Place {
+            texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
+            reference: ndc.z
+                - footing.rise(to_light) * bias.toward_light
+                - footing.slope(normal, to_light).abs().element_sum() * RASTER_STEP_TEXELS
+                - settings.depth.step(),
+            gradient: settings.reference_gradient(&footing, normal, to_light),
+        }
     }
 }
 
-fn place(plan: &ShadowPlan, settings: &Settings, view: &ShadowView, position: Vec3, normal: Vec3) -> Place {
-    let cosine = normal.dot(plan.lights()[view.light].direction_to_light());
-    let bias = bias_metres(&settings.bias, settings.filter, view.texel_metres, cosine);
-    let receiver = position + normal * bias.along_normal;
-    let ndc = view.clip_from_world.project_point3(receiver);
-    Place {
-        texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
-        depth: ndc.z,
-        reference: ndc.z - bias.toward_light / view.depth_metres - settings.depth.step(),
-        gradient: settings.bias.plane_gradient(view, normal, cosine),
-    }
+/// The face of a cube that a direction goes through: that of its largest part.
+fn face(direction: Vec3) -> usize {
+    let size = direction.abs();
+    let (axis, part) = if size.x >= size.y && size.x >= size.z {
+        (0, direction.x)
+    } else if size.y >= size.z {
+        (2, direction.y)
+    } else {
+        (4, direction.z)
+    };
+    axis + usize::from(part < 0.0)
+}
+
+fn mix(from: f32, to: f32, share: f32) -> f32 {
+    from + (to - from) * share
+}
+
+/// From 0 to 1, over 0 to 1.
+fn smoothstep(share: f32) -> f32 {
+    let share = share.clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
 }

@@ -24,7 +24,7 @@ impl Maps {
     ) -> Result<Self, ShadowError> {
         let limits = device.limits();
         let (most, most_layers) = (limits.max_texture_dimension_2d, limits.max_texture_array_layers);
-        let (width, height) = (layout.width(), layout.height());
+        let (width, height) = (layout.width, layout.height);
         if width > most || height > most || layout.layers > most_layers {
             return Err(ShadowError::TooLarge { width, height, layers: layout.layers, most, most_layers });
         }
@@ -72,7 +72,7 @@ impl Maps {
         [self.texture.width(), self.texture.height()]
     }
 
-    /// Starts drawing a view's tile. The first tile of a layer clears the layer.
+    /// Starts drawing a view's tile. The first view that is drawn into a layer clears it.
     pub fn begin<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,
@@ -80,7 +80,7 @@ impl Maps {
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) -> wgpu::RenderPass<'e> {
         let Tile { layer, x, y, size } = view.tile;
-        let is_first = (x, y) == (0, 0);
+        let is_first = view.index == 0 || self.layout.layers > 1;
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("Shadows::caster_pass"),
             color_attachments: &[],
@@ -182,7 +182,7 @@ impl MapTexels {
     pub fn depth(&self, tile: Tile, x: i64, y: i64) -> f32 {
         let inside = |i: i64| i.clamp(0, i64::from(tile.size) - 1) as usize;
         let (x, y) = (inside(x) + tile.x as usize, inside(y) + tile.y as usize);
-        let (width, height) = (self.layout.width() as usize, self.layout.height() as usize);
+        let (width, height) = (self.layout.width as usize, self.layout.height as usize);
         self.depths[(tile.layer as usize * height + y) * width + x]
     }
 

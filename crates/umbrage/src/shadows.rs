@@ -18,8 +18,8 @@ const VIEW_INDEX_STRIDE: u32 = 256;
 #[derive(Debug)]
 pub struct Shadows {
     settings: Settings,
-    /// How many lights there is room for.
-    lights: usize,
+    /// How many views there is room for.
+    views: u32,
     capabilities: Capabilities,
     maps: Maps,
     frame: wgpu::Buffer,
@@ -35,26 +35,38 @@ impl Shadows {
     /// # Errors
     /// When a setting is out of range, or the maps exceed the adapter's limits.
     pub fn new(device: &wgpu::Device, settings: Settings) -> Result<Self, ShadowError> {
-        Self::for_lights(device, settings, 1)
+        settings.validate()?;
+        let (layout, views) = (MapLayout::of_sun(&settings), settings.splits);
+        Self::with_layout(device, settings, layout, views)
     }
 
-    /// Shadows for up to `lights` directional lights.
+    /// Shadows with room for such lights, and for any others that need no more views or larger tiles.
     ///
     /// # Errors
-    /// As [`Self::new`], and when `lights` is 0 or more than [`MAX_LIGHTS`].
+    /// As [`Self::new`], and when there are no lights or more than [`MAX_LIGHTS`], or a light's resolution is out of range.
     pub fn for_lights(
         device: &wgpu::Device,
-        mut settings: Settings,
-        lights: usize,
+        settings: Settings,
+        lights: &[Light],
     ) -> Result<Self, ShadowError> {
-        settings.validate()?;
-        if !(1..=MAX_LIGHTS).contains(&lights) {
-            return Err(ShadowError::Lights { got: lights, most: MAX_LIGHTS });
+        if !(1..=MAX_LIGHTS).contains(&lights.len()) {
+            return Err(ShadowError::Lights { got: lights.len(), most: MAX_LIGHTS });
         }
+        settings.validate()?;
+        let layout = MapLayout::of_lights(&settings, lights)?;
+        let views = lights.iter().map(|light| light.views(&settings)).sum();
+        Self::with_layout(device, settings, layout, views)
+    }
+
+    fn with_layout(
+        device: &wgpu::Device,
+        mut settings: Settings,
+        layout: MapLayout,
+        views: u32,
+    ) -> Result<Self, ShadowError> {
         let capabilities = Capabilities::of(device);
         settings.unclipped_depth &= capabilities.unclipped_depth;
-        let views = settings.splits * lights as u32;
-        let maps = Maps::new(device, MapLayout::new(&settings, views), capabilities)?;
+        let maps = Maps::new(device, layout, capabilities)?;
         let frame = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("Shadows::frame"),
             size: gpu_types::frame_bytes(views),
@@ -93,7 +105,7 @@ impl Shadows {
         });
         Ok(Self {
             settings,
-            lights,
+            views,
             capabilities,
             maps,
             frame,
@@ -107,7 +119,7 @@ impl Shadows {
     /// Plans a frame: which views there are, what each covers and who casts into it.
     ///
     /// # Errors
-    /// As [`umbrage_core::plan`]; also when there are more lights than these shadows were made for.
+    /// As [`umbrage_core::plan`]; also when the lights need more views or larger tiles than these shadows were made for.
     pub fn plan(&self, camera: &Camera, lights: &[Light], bounds: &Bounds) -> Result<ShadowPlan, PlanError> {
         let mut plan = plan(camera, &[], bounds, &self.settings)?;
         self.replan(&mut plan, camera, lights, bounds)?;
@@ -125,10 +137,20 @@ impl Shadows {
         lights: &[Light],
         bounds: &Bounds,
     ) -> Result<(), PlanError> {
-        if lights.len() > self.lights {
-            return Err(PlanError::Lights { got: lights.len(), most: self.lights });
+        if !self.has_room_for(lights)? {
+            let got = lights.iter().map(|light| light.views(&self.settings)).sum();
+            return Err(PlanError::Room { got, most: self.views });
         }
         plan.replan(camera, lights, bounds, &self.settings)
+    }
+
+    /// Whether lights can be planned for: whether they need no more views or larger tiles than there are.
+    ///
+    /// # Errors
+    /// When a light's resolution is out of range.
+    pub fn has_room_for(&self, lights: &[Light]) -> Result<bool, PlanError> {
+        let views: u32 = lights.iter().map(|light| light.views(&self.settings)).sum();
+        Ok(views <= self.views && self.maps.layout.holds(&MapLayout::of_lights(&self.settings, lights)?))
     }
 
     /// Tells the GPU of a plan. Draw the plan's views after it, then shade.

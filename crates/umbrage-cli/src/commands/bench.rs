@@ -3,7 +3,7 @@
 use serde::Serialize;
 use umbrage::{Camera, Settings};
 use umbrage_judge::statistics::Spread;
-use umbrage_lab::Milliseconds;
+use umbrage_lab::{Milliseconds, Shot};
 use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
@@ -55,7 +55,7 @@ struct View {
 pub fn run(args: &BenchArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::load(&args.world.world, args.world.seed)?;
-    let frame = Frame { samples: args.samples, ..world::frame(&args.world, &scene, Show::World)? };
+    let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
     let bar = progress::bar(u64::from(args.frames + args.warm_up), "frames");
@@ -64,11 +64,11 @@ pub fn run(args: &BenchArgs) -> Outcome {
     for number in 0..args.frames + args.warm_up {
         let counted = number.checked_sub(args.warm_up);
         let share = counted.unwrap_or(0) as f32 / (args.frames.max(2) - 1) as f32;
-        let frame = along_path(&frame, &scene, args, share)?;
+        let frame = along_path(&shot, &scene, args, share)?;
         let rendered = renderer.render(&frame)?;
         let mut others = None;
         if args.baselines {
-            let unshadowed = renderer.render(&Frame { show: Show::Unshadowed, ..frame })?.times;
+            let unshadowed = renderer.render(&Frame { show: Show::Unshadowed, ..frame.clone() })?.times;
             renderer.cull_parts = false;
             others = Some((unshadowed, renderer.render(&frame)?.times));
             renderer.cull_parts = true;
@@ -86,9 +86,9 @@ pub fn run(args: &BenchArgs) -> Outcome {
     let report = Report {
         world: &scene.name,
         triangles: scene.triangles(),
-        width: frame.width,
-        height: frame.height,
-        samples: frame.samples,
+        width: shot.width,
+        height: shot.height,
+        samples: args.samples,
         adapter: gpu.adapter.to_string(),
         timestamps: gpu.adapter.timestamps,
         settings: renderer.shadows().settings(),
@@ -111,15 +111,16 @@ pub fn run(args: &BenchArgs) -> Outcome {
 }
 
 /// The frame at a share of the way: the camera moves unless the command line says where it is.
-fn along_path(frame: &Frame, scene: &Scene, args: &BenchArgs, share: f32) -> Outcome<Frame> {
-    let seconds = frame.seconds + share * PATH_SECONDS;
+fn along_path(shot: &Shot, scene: &Scene, args: &BenchArgs, share: f32) -> Outcome<Frame> {
+    let shot = Shot { seconds: shot.seconds + share * PATH_SECONDS, ..shot.clone() };
+    let frame = Frame { samples: args.samples, ..shot.frame(Show::World)? };
     let is_placed = args.world.camera.is_some() || args.world.eye.is_some();
     let Some(world_from_camera) = scene.path.world_from_camera(share).filter(|_| !is_placed) else {
-        return Ok(Frame { seconds, ..*frame });
+        return Ok(frame);
     };
     let old = &frame.camera;
     let camera = Camera::new(world_from_camera, old.projection(), old.near(), old.far())?;
-    Ok(Frame { camera, seconds, ..*frame })
+    Ok(Frame { camera, ..frame })
 }
 
 fn view(load: ViewLoad) -> View {

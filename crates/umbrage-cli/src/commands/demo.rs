@@ -8,7 +8,7 @@ use image::{DynamicImage, GrayImage, RgbaImage};
 use umbrage::{MapTexels, Preset, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
 use umbrage_render::{Frame, Gpu, Picture, Show};
-use umbrage_scene::{LightKind, Scene, worlds};
+use umbrage_scene::{Scene, worlds};
 
 use crate::args::DemoArgs;
 use crate::commands::plan::splits_text;
@@ -66,7 +66,7 @@ struct Column {
 pub fn run(args: &DemoArgs) -> Outcome {
     let scene = world::load(worlds::DEFAULT, 0)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
-    let shot = main_shot(&scene)?;
+    let shot = main_shot(&scene);
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let ways = [("One shadow map of 1024²", "zhang-ssm-1024"), ("Four splits of 1024²", "default")];
     let bar = progress::bar(ways.len() as u64, "drawing and judging");
@@ -91,18 +91,10 @@ pub fn run(args: &DemoArgs) -> Outcome {
     Ok(())
 }
 
-/// The world's first camera and its sun.
-fn main_shot(scene: &Scene) -> Outcome<Shot> {
-    let sun = scene.lights.iter().find(|light| light.kind == LightKind::Directional);
-    let sun = sun.context("the default world has a sun")?;
-    Ok(Shot {
-        camera: scene.cameras[0].clone(),
-        sun: sun.direction(),
-        sun_colour: sun.colour,
-        seconds: 0.0,
-        width: WIDTH,
-        height: HEIGHT,
-    })
+/// The world's first camera and its lights.
+fn main_shot(scene: &Scene) -> Shot {
+    let (camera, lights) = (scene.cameras[0].clone(), scene.lights.clone());
+    Shot { camera, lights, seconds: 0.0, width: WIDTH, height: HEIGHT }
 }
 
 fn column(

@@ -1,7 +1,7 @@
 //! `umbrage plan`: where the camera's depth is cut, and what each view covers.
 
 use serde::Serialize;
-use umbrage::{Settings, ShadowPlan};
+use umbrage::{Light, Settings, ShadowPlan};
 use umbrage_render::Show;
 
 use crate::args::PlanArgs;
@@ -34,7 +34,8 @@ pub fn run(args: &PlanArgs) -> Outcome {
     let scene = world::load(&args.world.world, args.world.seed)?;
     let frame = world::frame(&args.world, &scene, Show::World)?;
     let bounds = umbrage_render::bounds(&scene, frame.seconds);
-    let plan = umbrage::plan(&frame.camera, &[frame.sun], &bounds, &settings).map_err(Failure::words)?;
+    let lights: Vec<Light> = frame.lamps.iter().map(|lamp| lamp.light).collect();
+    let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::words)?;
     match &args.json {
         Some(path) => output::write_json(path, &report(&scene.name, scene.triangles(), &settings, &plan))?,
         None => output::print(&text(&plan))?,

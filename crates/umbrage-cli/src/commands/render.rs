@@ -27,7 +27,7 @@ pub fn run(args: &RenderArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
     if let Some(path) = &args.visibility {
-        renderer.render(&Frame { show: Show::Visibility, ..frame })?;
+        renderer.render(&Frame { show: Show::Visibility(0), ..frame.clone() })?;
         let picture = renderer.picture()?;
         let grey: Vec<u8> = picture.rgba.iter().step_by(4).copied().collect();
         output::write_png(path, picture.width, picture.height, &grey, ExtendedColorType::L8)?;

@@ -1,89 +1,51 @@
 //! Fit to the part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2): what the slice leaves of
 //! the objects' boxes, and the map turned to suit it.
 
-use std::ops::Range;
-
-use glam::{DVec2, DVec3};
-
 use super::outline::Outline;
-use super::turn::{least_turn, rectangle};
+use super::seen::Seen;
+use super::turn::least_turn;
 use super::within::{Cutter, Within};
-use super::{Fitted, LightSpace, Slice};
+use super::{Fitted, Slice};
+use crate::beam::Beam;
 use crate::convex::ConvexBody;
 
-pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody, outline: &mut Outline) -> Fitted {
-    let nothing = || super::view::fit(slice, &ConvexBody::default());
-    if receivers.is_empty() {
-        return nothing();
-    }
-    let mut seen = Seen::new(slice.light_along_view(), outline);
+pub(crate) fn fit(
+    slice: &Slice<'_>,
+    in_beam: &ConvexBody,
+    receivers: &ConvexBody,
+    outline: &mut Outline,
+) -> Fitted {
+    let mut seen = Seen::new(slice, outline);
     if slice.bounds.objects.is_empty() {
         receivers.corners().for_each(|point| seen.add(point));
-    } else {
-        seen.add_objects(slice);
+    } else if !receivers.is_empty() {
+        add_objects(&mut seen, slice, in_beam);
     }
-    let Seen { light, depths, outline } = seen;
-    if outline.corners().is_empty() {
-        return nothing();
+    if seen.outline.corners().is_empty() {
+        return super::view::fit(slice, in_beam, &ConvexBody::default(), outline);
     }
-    let side = least_turn(outline.corners());
-    let (min, max) = rectangle(outline.corners(), side);
-    slice.complete(light.turned(side), min, max, depths, receivers)
+    seen.fitted(slice, receivers, least_turn)
 }
 
-/// What was found in the slice, in light space.
-struct Seen<'a> {
-    light: LightSpace,
-    outline: &'a mut Outline,
-    depths: Range<f64>,
-}
-
-impl<'a> Seen<'a> {
-    fn new(light: LightSpace, outline: &'a mut Outline) -> Self {
-        outline.clear();
-        Self { light, outline, depths: f64::INFINITY..f64::NEG_INFINITY }
-    }
-
-    fn add(&mut self, point: DVec3) {
-        let point = self.light.to_light(point);
-        self.depths = self.depths.start.min(point.z)..self.depths.end.max(point.z);
-        self.outline.add(point.truncate());
-    }
-
-    fn add_objects(&mut self, slice: &Slice<'_>) {
-        let cutter = Cutter::new(slice.camera.slice_corners(slice.depths.clone()));
-        for object in slice.bounds.objects.iter().filter(|object| !object.is_empty()) {
-            let (min, max) = (object.min.as_dvec3(), object.max.as_dvec3());
-            let (centre, half) = ((min + max) * 0.5, (max - min) * 0.5);
-            match cutter.classify(centre, half) {
-                Within::Outside => {}
-                Within::Inside => self.add_box(centre, half),
-                Within::Across(planes) => cutter.cut(object, &planes, |point| self.add(point)),
-            }
-        }
-    }
-
-    /// Adds a whole box; its corners only where the outline does not hold them already.
-    fn add_box(&mut self, centre: DVec3, half: DVec3) {
-        let LightSpace { right, up, along } = self.light;
-        let middle = self.light.to_light(centre);
-        let reach = DVec3::new(right.abs().dot(half), up.abs().dot(half), along.abs().dot(half));
-        self.depths = self.depths.start.min(middle.z - reach.z)..self.depths.end.max(middle.z + reach.z);
-        let middle = middle.truncate();
-        if self.outline.holds(middle, reach.truncate()) {
-            return;
-        }
-        let [x, y, z] = [0, 1, 2].map(|i| DVec2::new(right[i], up[i]) * half[i]);
-        for corner in [x + y + z, x + y - z, x - y + z, x - y - z] {
-            self.outline.add(middle + corner);
-            self.outline.add(middle - corner);
+fn add_objects(seen: &mut Seen<'_>, slice: &Slice<'_>, in_beam: &ConvexBody) {
+    let cutter = match &slice.beam {
+        Beam::Parallel(_) => Cutter::of_slice(slice.camera.slice_corners(slice.depths.clone())),
+        Beam::Spread(pyramid) => Cutter::of_body(in_beam, &pyramid.planes()),
+    };
+    for object in slice.bounds.objects.iter().filter(|object| !object.is_empty()) {
+        let (min, max) = (object.min.as_dvec3(), object.max.as_dvec3());
+        let (centre, half) = ((min + max) * 0.5, (max - min) * 0.5);
+        match cutter.classify(centre, half) {
+            Within::Outside => {}
+            Within::Inside => seen.add_box(centre, half),
+            Within::Across(planes) => cutter.cut(object, &planes, |point| seen.add(point)),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec3;
+    use glam::{DVec2, DVec3, Vec3};
     use proptest::prelude::*;
 
     use super::*;
@@ -102,7 +64,8 @@ mod tests {
             .map(|object| Aabb { min: object.min.max(low.as_vec3()), max: object.max.min(high.as_vec3()) });
         let corners = cut.filter(|cut| !cut.is_empty()).flat_map(Aabb::corners_f64);
         let (min, max) = bounds_of(corners.map(|p| light.to_light(p)));
-        let (low, high) = slice.bounds_in(&light);
+        let corners = slice.camera.slice_corners(slice.depths.clone());
+        let (low, high) = bounds_of(corners.into_iter().map(|p| light.to_light(p)));
         let (min, max) = (min.max(low).truncate(), max.min(high).truncate());
         min.cmple(max).all().then(|| (max - min) * slice.padding())
     }
@@ -127,11 +90,12 @@ mod tests {
             let bounds = Bounds { world, objects };
             let settings = Settings { select: Select::Depth, ..Settings::default() };
             let along = DVec3::from(along).normalize_or(DVec3::NEG_Y);
-            let slice = Slice { camera: &camera, depths: near..near + reach, along, bounds: &bounds, settings: &settings };
+            let (beam, resolution) = (Beam::Parallel(along), settings.resolution);
+            let slice = Slice { camera: &camera, depths: near..near + reach, beam, resolution, bounds: &bounds, settings: &settings };
             let tight = fit(&slice, &mut Outline::default());
             let Some(loose) = loose_sides(&slice).filter(|_| !tight.casters.is_empty()) else { return Ok(()) };
             // Nothing found gives the whole slice, and no casters.
-            let longer = (tight.max - tight.min).truncate().max_element();
+            let longer = tight.texel_metres * f64::from(settings.resolution);
             prop_assert!(longer <= loose.max_element() * 1.0001 + 0.01, "{longer} m, but {loose} m before");
         }
     }

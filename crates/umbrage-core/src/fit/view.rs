@@ -1,17 +1,26 @@
-//! Fit to the whole slice: needs to know nothing of what is in it ("scene-independent", Ferko 2010 §3.2).
+//! Fit to the whole slice, and for a spot to what its cone shares with it: needs to know nothing of what is in it
+//! ("scene-independent", Ferko 2010 §3.2).
 
+use glam::DVec2;
+
+use super::outline::Outline;
+use super::seen::Seen;
 use super::{Fitted, Slice};
 use crate::convex::ConvexBody;
-use crate::fit::bounds_of;
 
-pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
-    let light = slice.light_along_view();
-    let (min, max) = slice.bounds_in(&light);
-    let depths = if receivers.is_empty() {
-        min.z..max.z
-    } else {
-        let (near, far) = bounds_of(receivers.corners().map(|p| light.to_light(p)));
-        near.z..far.z
-    };
-    slice.complete(light, min.truncate(), max.truncate(), depths, receivers)
+pub(crate) fn fit(
+    slice: &Slice<'_>,
+    in_beam: &ConvexBody,
+    receivers: &ConvexBody,
+    outline: &mut Outline,
+) -> Fitted {
+    let mut seen = Seen::new(slice, outline);
+    in_beam.corners().for_each(|point| seen.add(point));
+    if !receivers.is_empty() {
+        // The rectangle is the slice's, depths are the receivers'.
+        let depths = receivers.corners().map(|p| seen.light.metres_at(seen.light.to_light(p).z));
+        let (near, far) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(n, f), d| (n.min(d), f.max(d)));
+        seen.metres = near..far;
+    }
+    seen.fitted(slice, receivers, |_| DVec2::X)
 }

@@ -1,4 +1,4 @@
-//! What a slice of the camera's frustum leaves of a box, exactly.
+//! What a slice of the camera's frustum, or any convex body, leaves of a box, exactly.
 //!
 //! Each corner of what two convex bodies share is an end of an edge of one of them, cut to the other: so 24 edges say it
 //! all, and no faces need be kept (the form is Filament's). Boxes that lie wholly inside or outside are told apart first.
@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::bounds::Aabb;
-use crate::convex::ConvexBody;
+use crate::convex::{ConvexBody, MAX_FACES};
 use crate::few::Few;
 use crate::frustum::PlaneF64;
 
@@ -17,12 +17,15 @@ const MARGIN: f64 = 1e-6;
 const EDGES: [(usize, usize); 12] =
     [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)];
 
-/// A slice, ready to cut many boxes.
+/// A slice of the view, or what a cone of light shares with one, ready to cut many boxes.
 pub(crate) struct Cutter {
-    corners: [DVec3; 8],
-    planes: Few<PlaneF64, 6>,
+    edges: Few<(DVec3, DVec3), MAX_EDGES>,
+    planes: Few<PlaneF64, MAX_FACES>,
     margin: f64,
 }
+
+/// Of a body with that many faces, each edge counted for both of its faces.
+const MAX_EDGES: usize = 6 * MAX_FACES;
 
 /// How a box lies to a slice.
 pub(crate) enum Within {
@@ -31,19 +34,37 @@ pub(crate) enum Within {
     /// All of it is inside.
     Inside,
     /// These planes of the slice cut it.
-    Across(Few<PlaneF64, 6>),
+    Across(Few<PlaneF64, MAX_FACES>),
 }
 
 impl Cutter {
     /// For the slice with these corners.
-    pub fn new(corners: [DVec3; 8]) -> Self {
-        let size = corners.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-        let margin = MARGIN * size;
-        let mut planes = Few::default();
-        for plane in ConvexBody::of_slice(&corners).planes() {
-            let _has_six = planes.push(PlaneF64 { distance: plane.distance + margin, ..plane });
+    pub fn of_slice(corners: [DVec3; 8]) -> Self {
+        let edges = EDGES.map(|(a, b)| (corners[a], corners[b]));
+        Self::new(&ConvexBody::of_slice(&corners), edges.into_iter())
+    }
+
+    /// For what a slice shares with a beam, given with the beam's planes. Those stay where they are: what is not lit is
+    /// not cut off, and behind a spot's tip there is no map.
+    pub fn of_body(body: &ConvexBody, beam: &[PlaneF64]) -> Self {
+        let mut cutter = Self::new(body, body.edges());
+        for plane in beam {
+            let _fits = cutter.planes.push(*plane);
         }
-        Self { corners, planes, margin }
+        cutter
+    }
+
+    fn new(body: &ConvexBody, all_edges: impl Iterator<Item = (DVec3, DVec3)>) -> Self {
+        let size = body.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        let margin = MARGIN * size;
+        let (mut edges, mut planes) = (Few::default(), Few::default());
+        for edge in all_edges {
+            let _fits = edges.push(edge);
+        }
+        for plane in body.planes() {
+            let _fits = planes.push(PlaneF64 { distance: plane.distance + margin, ..plane });
+        }
+        Self { edges, planes, margin }
     }
 
     /// How the box `centre` ± `half` lies to the slice. Across may be said of a box outside, never the reverse.
@@ -55,7 +76,7 @@ impl Cutter {
                 return Within::Outside;
             }
             if distance < reach {
-                let _has_six = across.push(*plane);
+                let _fits = across.push(*plane);
             }
         }
         if across.is_empty() { Within::Inside } else { Within::Across(across) }
@@ -68,11 +89,11 @@ impl Cutter {
         for (a, b) in EDGES {
             cut_edge(corners[a], corners[b], across, &mut found);
         }
-        // An edge of the slice lies on two of its planes.
+        // An edge of the body lies on two of its planes.
         if across.len() >= 2 {
             let box_planes = self.planes_of(aabb);
-            for (a, b) in EDGES {
-                cut_edge(self.corners[a], self.corners[b], &box_planes, &mut found);
+            for (a, b) in self.edges.iter() {
+                cut_edge(*a, *b, &box_planes, &mut found);
             }
         }
     }
@@ -148,7 +169,7 @@ mod tests {
     #[test]
     fn boxes_inside_keep_their_corners_and_boxes_outside_have_none() {
         let cube = [DVec3::splat(-4.0), DVec3::splat(4.0)];
-        let cutter = Cutter::new(ring_corners(&Aabb { min: cube[0].as_vec3(), max: cube[1].as_vec3() }));
+        let cutter = Cutter::of_slice(ring_corners(&Aabb { min: cube[0].as_vec3(), max: cube[1].as_vec3() }));
         let inside = Aabb { min: Vec3::ZERO, max: Vec3::ONE };
         assert_eq!(points_of(&cutter, &inside), inside.corners_f64());
         assert_eq!(points_of(&cutter, &Aabb { min: Vec3::splat(5.0), max: Vec3::splat(6.0) }), []);
@@ -161,7 +182,7 @@ mod tests {
     fn a_box_around_the_whole_slice_leaves_the_slice() {
         let corners = camera(1.0).slice_corners(2.0..9.0);
         let points =
-            points_of(&Cutter::new(corners), &Aabb { min: Vec3::splat(-1e3), max: Vec3::splat(1e3) });
+            points_of(&Cutter::of_slice(corners), &Aabb { min: Vec3::splat(-1e3), max: Vec3::splat(1e3) });
         for corner in corners {
             assert!(points.iter().any(|p| p.distance(corner) < 1e-9), "{corner} is missing");
         }
@@ -177,7 +198,7 @@ mod tests {
             let corners = camera(fov_y).slice_corners(near..near + reach);
             let (middle, half) = (corners[from].lerp(corners[to], share).as_vec3(), Vec3::from(size) * 0.5);
             let aabb = Aabb { min: middle - half, max: middle + half };
-            let points = points_of(&Cutter::new(corners), &aabb);
+            let points = points_of(&Cutter::of_slice(corners), &aabb);
             let body = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().fold(ConvexBody::of_slice(&corners), |body, axis| {
                 let (low, high) = (aabb.min.as_dvec3().dot(axis), aabb.max.as_dvec3().dot(axis));
                 body.clipped(axis, -low).clipped(-axis, high)

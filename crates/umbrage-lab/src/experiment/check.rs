@@ -40,6 +40,7 @@ pub fn check(
         repeats,
         frames,
         pictures: _,
+        enlarged,
         motions,
         columns,
         plots,
@@ -48,6 +49,9 @@ pub fn check(
     check_lists(source, experiment)?;
     check_worlds(source, worlds)?;
     check_numbers(source, *size, *repeats, *frames)?;
+    for (world, part) in enlarged {
+        check_enlarged(source, world, *part, experiment)?;
+    }
     unique(source, &[Key("motions")], motions)?;
     for (i, way) in ways.iter().enumerate() {
         check_way(source, i, way, worlds)?;
@@ -62,6 +66,26 @@ pub fn check(
         check_claim(source, i, claim, experiment)?;
     }
     check_cameras(source, experiment, cameras)
+}
+
+fn check_enlarged(
+    source: &Source<'_>,
+    world: &str,
+    [left, top, width, height]: [u32; 4],
+    experiment: &Experiment,
+) -> Checked {
+    let at = [Key("enlarged"), Key(world)];
+    let [picture_width, picture_height] = experiment.size;
+    if !experiment.worlds.iter().any(|known| known == world) {
+        return Err(source.refusal(&at, format!("`{world}` is none of the experiment's worlds")));
+    }
+    let is_inside =
+        |from: u32, size: u32, whole: u32| size > 0 && from.checked_add(size).is_some_and(|to| to <= whole);
+    if !is_inside(left, width, picture_width) || !is_inside(top, height, picture_height) {
+        let wanted = format!("wanted a part of a picture of {picture_width} x {picture_height} pixels");
+        return Err(source.refusal(&at, wanted));
+    }
+    Ok(())
 }
 
 fn check_lists(source: &Source<'_>, experiment: &Experiment) -> Checked {

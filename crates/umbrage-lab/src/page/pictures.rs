@@ -26,9 +26,10 @@ pub(super) fn section(experiment: &Experiment, groups: &[Group]) -> String {
         return String::new();
     }
     format!(
-        "<section id=\"pictures\">\n<h2>Pictures</h2>\n<p>Above, the picture; beneath, where it is wrong: \
+        "<section id=\"pictures\">\n<h2>Pictures</h2>\n<p>{}the picture; beneath, where it is wrong: \
          {} where light should be, {} where shadow should be. \
          Grey is right; what is darkest is not judged.</p>\n{rows}</section>\n",
+        if experiment.enlarged.is_empty() { "Above, " } else { "Above, a part enlarged; then " },
         swatch("false shadow", FALSE_SHADOW),
         swatch("false light", FALSE_LIGHT),
     )
@@ -46,10 +47,25 @@ fn figure(experiment: &Experiment, group: &Group) -> Option<String> {
     })?;
     let Pictures { shaded, error } = pictures;
     let name = escaped(&group.name(experiment));
+    let part = experiment.enlarged.get(&group.rows.first()?.cell.world);
+    let enlarged = part.and_then(|part| enlarged(shaded, *part)).unwrap_or_default();
+    let enlarged = image("png", &enlarged, &format!("{name}: a part of it, enlarged"), measurement);
     let shaded = image("jpeg", shaded, &format!("{name}: the picture"), measurement);
     let error = image("png", error, &format!("{name}: where its shadows are wrong"), measurement);
     let caption = caption(measurement);
-    Some(format!("<figure>{shaded}{error}<figcaption><b>{name}</b><br>{caption}</figcaption></figure>\n"))
+    Some(format!(
+        "<figure>{enlarged}{shaded}{error}<figcaption><b>{name}</b><br>{caption}</figcaption></figure>\n"
+    ))
+}
+
+/// A part of a picture, its pixels made large, as PNG; `None` where the file is no picture.
+fn enlarged(shaded: &[u8], [left, top, width, height]: [u32; 4]) -> Option<Vec<u8>> {
+    const TIMES: u32 = 4;
+    let part = image::load_from_memory(shaded).ok()?.crop_imm(left, top, width, height);
+    let large = part.resize_exact(width * TIMES, height * TIMES, image::imageops::FilterType::Nearest);
+    let mut png = std::io::Cursor::new(Vec::new());
+    large.write_to(&mut png, image::ImageFormat::Png).ok()?;
+    Some(png.into_inner())
 }
 
 fn caption(measurement: &Measurement) -> String {

@@ -48,6 +48,7 @@ pub fn experiment() -> Experiment {
         repeats: 16,
         frames: 120,
         pictures: true,
+        enlarged: [("forest".to_owned(), [10, 20, 60, 40])].into(),
         motions: vec![],
         columns: [
             "error.mis_shadowed",
@@ -148,6 +149,7 @@ fn row(
             standard_error: 0.0,
         },
         error: Some(error(wrong)),
+        lights: vec![],
         flip: Some(2.0 * wrong),
         splits: vec![],
         around_cuts: vec![],

@@ -194,7 +194,7 @@ pub(super) fn add_camera(document: &mut Document, camera: &Camera) -> Result<Ind
 
 /// Adds a light; the returned extension makes it hang on a node.
 pub(super) fn add_light(document: &mut Document, light: &Light) -> Result<NodeExtensions, Fault> {
-    let Light { name, world_from_light: _, colour, intensity, kind } = light;
+    let Light { name, world_from_light: _, colour, intensity, kind, motion: _ } = light;
     let (type_, range, spot) = match *kind {
         LightKind::Directional => (punctual::Type::Directional, f32::INFINITY, None),
         LightKind::Point { range } => (punctual::Type::Point, range, None),

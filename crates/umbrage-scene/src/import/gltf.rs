@@ -12,7 +12,7 @@ use std::borrow::Cow;
 
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::{Checked, Error, Validate as _};
-use gltf::json::{Path, Root, deserialize};
+use gltf::json::{Node, Path, Root, deserialize};
 
 use self::accessors::Data;
 use super::budget::Budget;
@@ -128,10 +128,7 @@ fn place(
         if let Some(mesh) = node.mesh.and_then(|mesh| places[mesh.value()]) {
             // A renderer turns normals with the inverse, so there must be one.
             if world_from_node.inverse().is_finite() {
-                let motion = extras::motion_of(&node.extras).unwrap_or_else(|_| {
-                    warnings.note("motion that cannot be understood is ignored", &label);
-                    Motion::Still
-                });
+                let motion = motion(node, &label, warnings);
                 scene.instances.push(Instance { mesh, world_from_mesh: world_from_node, motion });
             } else {
                 warnings.note("instances scaled to nothing are left out", &label);
@@ -145,7 +142,10 @@ fn place(
         }
         if let Some(light) = node.extensions.as_ref().and_then(|e| e.khr_lights_punctual.as_ref()) {
             match nodes::rigid(world_from_node) {
-                Some(pose) => scene.lights.push(lenses::light(root, light.light, node, pose)?),
+                Some(pose) => {
+                    let motion = motion(node, &label, warnings);
+                    scene.lights.push(lenses::light(root, light.light, node, pose, motion)?);
+                }
                 None => warnings.note("lights scaled to nothing are left out", &label),
             }
         }
@@ -154,6 +154,14 @@ fn place(
         }
     }
     Ok(())
+}
+
+/// The motion that [`crate::to_glb`] wrote to a node, if there is one.
+fn motion(node: &Node, label: &str, warnings: &mut Warnings) -> Motion {
+    extras::motion_of(&node.extras).unwrap_or_else(|_| {
+        warnings.note("motion that cannot be understood is ignored", label);
+        Motion::Still
+    })
 }
 
 /// The camera path that [`crate::to_glb`] wrote, if there is one.

@@ -96,7 +96,7 @@ fn cameras(stage: &mut Stage) {
     stage.look_far(v(-50.0, 60.0, 95.0), v(0.0, 0.0, -8.0));
     stage.look("close", v(-4.0, 1.9, 14.0), v(0.2, 0.2, 5.5));
     stage.look("split", v(-14.0, 1.2, 5.0), v(12.0, 1.6, -12.0));
-    stage.look_into_sun(v(14.0, 1.2, -8.0), 11.0);
+    stage.look_into_light(v(14.0, 1.2, -8.0), 11.0);
     stage.fly(&[
         (v(-8.0, 6.0, 25.0), v(1.0, 3.0, 0.0)),
         (v(2.0, 2.5, 20.0), v(3.0, 3.0, 0.0)),

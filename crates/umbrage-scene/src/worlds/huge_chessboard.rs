@@ -8,7 +8,7 @@ use crate::Scene;
 use crate::actors::chessmen;
 use crate::shape::{Ground, Model, plane};
 
-const VIEW: View = View { fov_degrees: 60.0, near: 1.0, far: 800.0 };
+pub(super) const VIEW: View = View { fov_degrees: 60.0, near: 1.0, far: 800.0 };
 /// Edge of a square, metres: eight of them are 700.
 const SQUARE: f32 = 87.5;
 const TRIANGLES: usize = 51_000;
@@ -20,21 +20,28 @@ type Place = (usize, usize);
 
 pub(super) fn build(seed: u64) -> Scene {
     let mut stage = Stage::new("huge-chessboard", seed, VIEW, Vec3::new(0.68, -0.52, -0.52));
+    set_up(&mut stage);
+    views(&mut stage);
+    stage.look_into_light(at(6.2, 6.0, 4.5), 10.0);
+    flight(&mut stage);
+    stage.scene
+}
+
+/// The board and both armies.
+pub(super) fn set_up(stage: &mut Stage) {
     let armies = [Paint::Ivory, Paint::Ebony].map(chessmen::all);
     let men = RANK.iter().map(|&kind| armies[0][kind].1.triangles()).sum::<usize>()
         + 8 * armies[0][PAWN].1.triangles();
-    board(&mut stage, TRIANGLES.saturating_sub(2 * men));
+    board(stage, TRIANGLES.saturating_sub(2 * men));
     for (army, kinds) in armies.iter().enumerate() {
         let meshes: Vec<usize> = kinds.iter().map(|(name, model)| stage.mesh(name, model)).collect();
-        for (kind, (file, rank)) in position(&mut stage) {
+        for (kind, (file, rank)) in position(stage) {
             let rank = if army == 0 { rank } else { 7 - rank };
             let jitter = stage.dice.between(-0.12, 0.12);
             let yaw = if army == 0 { std::f32::consts::PI } else { 0.0 } + jitter;
             stage.place(meshes[kind], standing(middle(file as f32, rank as f32), yaw, 1.0));
         }
     }
-    cameras(&mut stage);
-    stage.scene
 }
 
 /// The middle of a square: files run along +X, ranks along −Z.
@@ -77,13 +84,21 @@ fn board(stage: &mut Stage, triangles: usize) {
     stage.place(frame, glam::Mat4::IDENTITY);
 }
 
-fn cameras(stage: &mut Stage) {
-    let at = |file: f32, y: f32, rank: f32| middle(file, rank) + Vec3::Y * y;
+/// `y` metres above a place between the middles of squares.
+fn at(file: f32, y: f32, rank: f32) -> Vec3 {
+    middle(file, rank) + Vec3::Y * y
+}
+
+/// All cameras but the dueling one, which depends on the light.
+pub(super) fn views(stage: &mut Stage) {
     stage.look("main", at(8.3, 105.0, 0.6), at(3.2, 8.0, 3.6));
     stage.look_far(at(3.5, 520.0, -5.0), at(3.5, 0.0, 3.0));
     stage.look("close", at(2.4, 16.0, 1.3), at(4.4, 4.0, 3.0));
     stage.look("split", at(7.45, 14.0, 3.5), at(0.0, 8.0, 3.3));
-    stage.look_into_sun(at(6.2, 6.0, 4.5), 10.0);
+}
+
+/// Low over the board, between the men, and out to look back.
+pub(super) fn flight(stage: &mut Stage) {
     stage.fly(&[
         (at(8.3, 105.0, 0.6), at(3.2, 8.0, 3.6)),
         (at(7.45, 60.0, 3.5), at(4.0, 30.0, 4.0)),

@@ -102,7 +102,7 @@ fn cameras(stage: &mut Stage, ground: &Ground) {
     stage.look_far(at(-330.0, 300.0, 520.0), at(0.0, 0.0, 30.0));
     stage.look("close", at(0.0, 5.0, 22.0), at(14.0, 1.0, 55.0));
     stage.look("split", at(70.0, 4.0, 150.0), at(-60.0, 9.0, 60.0));
-    stage.look_into_sun(at(75.0, 3.0, 75.0), 11.0);
+    stage.look_into_light(at(75.0, 3.0, 75.0), 11.0);
     stage.fly(&[
         (at(-45.0, 30.0, 152.0), at(38.0, 5.0, 62.0)),
         (at(-110.0, 24.0, 80.0), at(10.0, 8.0, 60.0)),

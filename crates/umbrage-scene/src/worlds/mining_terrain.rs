@@ -107,7 +107,7 @@ fn cameras(stage: &mut Stage, ground: &Ground) {
     stage.look_far(at(-300.0, 430.0, 800.0), pit);
     stage.look("close", at(close.x, 7.0, close.y), pit + Vec3::new(0.0, 4.0, 0.0));
     stage.look("split", at(split.x, 5.0, split.y), at(-60.0, 8.0, 240.0));
-    stage.look_into_sun(at(dueling.x, 4.0, dueling.y), 11.0);
+    stage.look_into_light(at(dueling.x, 4.0, dueling.y), 11.0);
     stage.fly(&[
         (at(main.x, 36.0, main.y), pit + Vec3::new(10.0, 18.0, 20.0)),
         (at(-40.0, 40.0, 260.0), pit + Vec3::Y * 15.0),

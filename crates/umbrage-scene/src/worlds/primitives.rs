@@ -10,7 +10,7 @@ use crate::shape::{Model, Solid, cone, cuboid, cylinder, plane, pyramid, sphere,
 const VIEW: View = View { fov_degrees: 45.0, near: 1.0, far: 80.0 };
 
 /// The eight solids that stand in the middle ring; smaller ones are strewn around them.
-fn solids() -> [(&'static str, Paint, Solid); 8] {
+pub(super) fn solids() -> [(&'static str, Paint, Solid); 8] {
     [
         ("tower", Paint::Red, cuboid(1.6, 6.0, 1.6).moved(0.0, 3.0, 0.0)),
         ("ball", Paint::Blue, sphere(1.5, 16, 9).moved(0.0, 1.5, 0.0)),
@@ -70,7 +70,7 @@ fn cameras(stage: &mut Stage) {
     stage.look_far(Vec3::new(0.0, 34.0, 34.0), Vec3::ZERO);
     stage.look("close", Vec3::new(-3.0, 1.8, 12.5), Vec3::new(-2.0, 0.3, 5.0));
     stage.look("split", Vec3::new(-17.0, 1.7, 6.0), Vec3::new(10.0, 0.6, -3.0));
-    stage.look_into_sun(Vec3::new(-9.0, 1.2, -4.5), 11.0);
+    stage.look_into_light(Vec3::new(-9.0, 1.2, -4.5), 11.0);
     let middle = Vec3::new(0.0, 1.0, 0.0);
     stage.fly(&[
         (Vec3::new(-9.0, 8.5, 20.0), middle),

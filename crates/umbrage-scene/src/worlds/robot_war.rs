@@ -65,7 +65,7 @@ fn cameras(stage: &mut Stage, ground: &Ground) {
     stage.look_far(at(-330.0, 260.0, 480.0), at(0.0, 0.0, 30.0));
     stage.look("close", at(LOW.x, 5.0, LOW.y), at(22.0, 0.0, 40.0));
     stage.look("split", at(-4.0, 3.0, 205.0), at(-4.0, 4.0, -100.0));
-    stage.look_into_sun(at(LOW.x, 6.0, LOW.y), 11.0);
+    stage.look_into_light(at(LOW.x, 6.0, LOW.y), 11.0);
     stage.fly(&[
         (at(OUTLOOK.x, 15.0, OUTLOOK.y), at(8.0, 2.0, 60.0)),
         (at(-60.0, 22.0, 160.0), at(60.0, 4.0, 0.0)),

@@ -42,7 +42,7 @@ fn cameras(stage: &mut Stage, height: f32) {
     stage.look_far(Vec3::new(0.0, 26.0, 28.0), Vec3::ZERO);
     stage.look("close", at(-1.3, 0.45, 0.9), at(-0.55, 0.0, -0.25));
     stage.look("split", at(-3.0, 0.3, 0.6), at(1.0, 0.2, -0.3));
-    stage.look_into_sun(at(-1.4, 0.19, -0.86), 11.0);
+    stage.look_into_light(at(-1.4, 0.19, -0.86), 11.0);
     stage.fly(&[
         (at(-0.9, 1.1, 2.6), middle),
         (at(1.6, 0.7, 2.0), middle),

@@ -7,7 +7,8 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use super::Paint;
 use crate::shape::Model;
 use crate::{
-    Camera, CameraPath, Instance, Light, Material, Mesh, Motion, PathKey, Primitive, Scene, Texture,
+    Camera, CameraPath, Instance, Light, LightKind, Material, Mesh, Motion, PathKey, Primitive, Scene,
+    Texture,
 };
 
 /// How all cameras of a world see.
@@ -27,19 +28,20 @@ pub(crate) struct Stage {
     pub scene: Scene,
     pub dice: Dice,
     view: View,
-    sun_along: Vec3,
 }
 
 impl Stage {
     /// An empty world whose sun shines along `sun_along` (any length).
     pub fn new(name: &str, seed: u64, view: View, sun_along: Vec3) -> Self {
-        let scene = Scene {
-            name: name.to_owned(),
-            materials: Paint::materials(),
-            lights: vec![Light::sun(sun_along, 3.0)],
-            ..Scene::default()
-        };
-        Self { scene, dice: Dice::new(seed), view, sun_along: sun_along.normalize_or_zero() }
+        let mut stage = Self::dark(name, seed, view);
+        stage.scene.lights.push(Light::sun(sun_along, 3.0));
+        stage
+    }
+
+    /// An empty world without a sun; lights are still to come.
+    pub fn dark(name: &str, seed: u64, view: View) -> Self {
+        let scene = Scene { name: name.to_owned(), materials: Paint::materials(), ..Scene::default() };
+        Self { scene, dice: Dice::new(seed), view }
     }
 
     /// Adds a mesh of paints; nothing is placed yet.
@@ -119,10 +121,15 @@ impl Stage {
         }
     }
 
-    /// Adds the dueling camera at `eye`: it looks into the sun, but `dip_degrees` lower, so that land is in view.
-    pub fn look_into_sun(&mut self, eye: Vec3, dip_degrees: f32) {
-        let level = Vec3::new(-self.sun_along.x, 0.0, -self.sun_along.z).normalize_or_zero();
-        let elevation = (-self.sun_along.y).asin() - dip_degrees.to_radians();
+    /// Adds the dueling camera at `eye`: it looks into the first light, but `dip_degrees` lower, so that land is in view.
+    pub fn look_into_light(&mut self, eye: Vec3, dip_degrees: f32) {
+        let light = &self.scene.lights[0];
+        let to_light = match light.kind {
+            LightKind::Directional => -light.direction(),
+            LightKind::Spot { .. } | LightKind::Point { .. } => (light.position() - eye).normalize_or_zero(),
+        };
+        let level = Vec3::new(to_light.x, 0.0, to_light.z).normalize_or_zero();
+        let elevation = to_light.y.asin() - dip_degrees.to_radians();
         self.look("dueling", eye, eye + level * elevation.cos() + Vec3::Y * elevation.sin());
     }
 

@@ -1,18 +1,25 @@
+mod views;
+
 use glam::{Mat4, Vec3};
 
 use super::*;
-use crate::Lens;
+use crate::{Lens, Light, LightKind};
 
 /// What a world is to be: name, triangles, area in km², casters, moving ones, and near and far of the main camera.
 type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
 
-const TABLE: [Row; 8] = [
+const TABLE: [Row; 12] = [
     ("primitives", 1_300, 0.0016, 17, 0, [1.0, 80.0]),
+    // The lamp flies with the light.
+    ("orbit", 1_300, 0.0016, 8, 1, [1.0, 80.0]),
     ("bunny", 3_676, 0.0009, 1, 0, [0.5, 100.0]),
+    ("tutorial-room", 4_714, 0.0016, 8, 0, [0.5, 100.0]),
+    ("closed-room", 22_352, 12.6e-3 * 9.6e-3, 23, 0, [0.1, 30.0]),
     ("dragon", 47_796, 0.0009, 1, 0, [0.5, 100.0]),
     ("brick-ground", 60_000, 0.04, 64, 6, [0.5, 200.0]),
     ("robot-war", 240_000, 1.44, 160, 0, [1.0, 800.0]),
     ("huge-chessboard", 51_000, 0.49, 32, 0, [1.0, 800.0]),
+    ("night-chessboard", 54_000, 0.49, 32 + 12, 0, [1.0, 800.0]),
     ("knights", 1_000_000, 1.6, 60, 30, [1.0, 800.0]),
     // A windmill is a tower and a rotor.
     ("mining-terrain", 1_300_000, 2.56, 10 + 2 * 15 + 20 + 10, 25, [1.0, 1000.0]),
@@ -51,8 +58,12 @@ fn assert_as_tabled(scene: &Scene, (name, triangles, area, casters, moving, [nea
     let off = scene.triangles().abs_diff(triangles) as f32 / triangles as f32;
     assert!(off <= 0.02, "{name} has {} triangles, wanted {triangles}", scene.triangles());
     let grounds = scene.instances.iter().filter(|i| scene.meshes[i.mesh].name == "ground");
-    let side = grounds.map(|i| scene.meshes[i.mesh].bounds.size().x).fold(f32::INFINITY, f32::min);
-    assert!((side * side * 1e-6 / area - 1.0).abs() < 0.01, "{name} is {side} m wide, wanted {area} km²");
+    let sides = grounds.map(|i| scene.meshes[i.mesh].bounds.size());
+    let square_metres = sides.map(|size| size.x * size.z).fold(f32::INFINITY, f32::min);
+    assert!(
+        (square_metres * 1e-6 / area - 1.0).abs() < 0.01,
+        "{name} is {square_metres} m², wanted {area} km²"
+    );
     let standing = scene.instances.iter().filter(|i| !is_ground(scene, i.mesh));
     assert_eq!(standing.count(), casters, "casters of {name}");
     assert_eq!(scene.instances.iter().filter(|i| i.is_dynamic()).count(), moving, "moving casters of {name}");
@@ -82,11 +93,26 @@ fn assert_valid(scene: &Scene) {
     assert!(scene.instances.iter().all(|i| i.mesh < scene.meshes.len() && i.world_from_mesh.is_finite()));
 }
 
+/// The unit direction in which a light shines at a place; `None` where that is outside its cone or range.
+fn shines_along(light: &Light, place: Vec3) -> Option<Vec3> {
+    let from_light = place - light.position();
+    let along = from_light.normalize_or_zero();
+    match light.kind {
+        LightKind::Directional => Some(light.direction()),
+        LightKind::Point { range } => (from_light.length() <= range).then_some(along),
+        LightKind::Spot { inner: _, outer, range } => {
+            let inside = light.direction().dot(along) >= outer.cos();
+            (inside && from_light.length() <= range).then_some(along)
+        }
+    }
+}
+
 fn assert_seen_well(scene: &Scene) {
-    let sun = scene.lights[0].direction();
     let names: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
     assert_eq!(names, ["main", "far", "close", "split", "dueling"], "cameras of {}", scene.name);
-    let against = scene.cameras[4].forward().dot(sun);
+    let duel = &scene.cameras[4];
+    let light = shines_along(&scene.lights[0], duel.eye());
+    let against = light.map_or(1.0, |along| duel.forward().dot(along));
     assert!(against <= -0.98, "{}: the dueling camera sees {against} along the light", scene.name);
     for camera in &scene.cameras {
         let height = camera.eye().y - height_below(scene, camera.eye());
@@ -109,6 +135,8 @@ fn every_world_is_what_its_table_says_valid_and_seen_well() {
         assert_as_tabled(&scene, row);
         assert_valid(&scene);
         assert_seen_well(&scene);
+        let sunny = scene.lights.iter().any(|light| light.kind == LightKind::Directional);
+        assert_eq!(sunny, !views::SUNLESS.contains(&world.name), "{} has a sun", world.name);
     }
 }
 
@@ -122,6 +150,18 @@ fn a_seed_names_one_world() {
         assert!(corners(&a) == corners(&b), "shapes of {} from one seed", world.name);
         assert_ne!(a.instances, c.instances, "{} from two seeds", world.name);
     }
+}
+
+#[test]
+fn the_light_of_orbit_looks_at_the_middle_and_is_back_after_twelve_seconds() {
+    let light = &orbit::build(0).lights[0];
+    for seconds in [0.0, 3.0, 7.5] {
+        let pose = light.world_from_light_at(seconds);
+        let (eye, along) = (pose.w_axis.truncate(), -pose.z_axis.truncate());
+        assert!((eye + along * eye.length()).length() < 1e-4, "from {eye} along {along}");
+    }
+    assert!(light.world_from_light_at(12.0).abs_diff_eq(light.world_from_light, 1e-4), "a whole turn");
+    assert!(!light.world_from_light_at(6.0).abs_diff_eq(light.world_from_light, 1.0), "half a turn");
 }
 
 #[test]

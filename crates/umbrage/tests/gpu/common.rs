@@ -112,17 +112,29 @@ pub fn draw(
 
 /// Draws a world's shadow maps, planned with given bounds.
 pub fn draw_within(
-    (device, queue): (wgpu::Device, wgpu::Queue),
+    device: (wgpu::Device, wgpu::Queue),
     settings: Settings,
     camera: &Camera,
     lights: &[Vec3],
     world: &[[Vec3; 3]],
     bounds: &Bounds,
 ) -> Drawn {
-    let mut shadows = Shadows::for_lights(&device, settings, lights.len()).expect("valid settings");
     let lights: Vec<Light> =
         lights.iter().map(|light| Light::directional(*light).expect("a light")).collect();
-    let plan = shadows.plan(camera, &lights, bounds).expect("a plan");
+    draw_lit(device, settings, camera, &lights, world, bounds)
+}
+
+/// Draws the shadow maps of any lights.
+pub fn draw_lit(
+    (device, queue): (wgpu::Device, wgpu::Queue),
+    settings: Settings,
+    camera: &Camera,
+    lights: &[Light],
+    world: &[[Vec3; 3]],
+    bounds: &Bounds,
+) -> Drawn {
+    let mut shadows = Shadows::for_lights(&device, settings, lights).expect("valid settings");
+    let plan = shadows.plan(camera, lights, bounds).expect("a plan");
     shadows.upload(&queue, &plan);
     let source = caster_wgsl()
         + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";

@@ -2,5 +2,7 @@
 
 mod agreement;
 mod common;
+mod lamps;
 mod lookup;
 mod plane;
+mod warps;

@@ -10,7 +10,7 @@ use gltf::json::validation::Checked;
 use gltf::json::{Camera as JsonCamera, Index, Node, Root};
 
 use crate::error::Fault;
-use crate::{Camera, Lens, Light, LightKind};
+use crate::{Camera, Lens, Light, LightKind, Motion};
 
 /// An orthographic camera may see from 0 on; whoever takes logarithms of depths cannot. This share of `far` instead.
 const NEAREST_SHARE: f32 = 1e-4;
@@ -53,12 +53,13 @@ pub(super) fn camera(
     Ok(Camera { name, world_from_camera, lens, near, far })
 }
 
-/// The light at a node.
+/// The light at a node, which moves so.
 pub(super) fn light(
     root: &Root,
     index: Index<JsonLight>,
     node: &Node,
     world_from_light: Mat4,
+    motion: Motion,
 ) -> Result<Light, Fault> {
     let lights: &[JsonLight] = root.as_ref();
     let light = &lights[index.value()];
@@ -91,5 +92,5 @@ pub(super) fn light(
             return Err(Fault(format!("light {name:?} is of no kind")));
         }
     };
-    Ok(Light { name, world_from_light, colour, intensity, kind })
+    Ok(Light { name, world_from_light, colour, intensity, kind, motion })
 }

@@ -1,5 +1,5 @@
-// The mean of UMBRAGE_PCF_SIZE² bilinear lookups, one texel apart, in which each texel is compared with the depth of the
-// receiver's plane at its centre. The sampler knows one depth for four texels, so each is asked for by itself. Lookups
+// The mean of UMBRAGE_PCF_SIZE² bilinear lookups, one texel apart, in which each texel is compared with a depth of its own:
+// that of a plane at its centre. The sampler knows one depth for four texels, so each is asked for by itself. Lookups
 // side by side share texels: (UMBRAGE_PCF_SIZE + 1)² comparisons make them all.
 
 /// How many of the lookups in a row count texel `i` of it, for a place that lies `share` of a texel beyond texel 0.

@@ -1,0 +1,98 @@
+//! How a view's texels lie at one point of the world: how long their sides are there, and how the depth of a surface
+//! changes from one to the next. One form for every view, parallel, from a tip or warped.
+//!
+//! A row r of the matrix gives r·p / w·p; moving p by d changes that by (r − (r·p / w·p) w)·d / w·p. For the rows of x and
+//! y these gradients g_u and g_v, in texels a metre, are across the light's ray, as x and y are the same all along it.
+//! The sides of a texel are the vectors a_u and a_v across the ray with a_u·g_u = 1, a_u·g_v = 0, and so on:
+//! a_u = g_v × c / c², a_v = c × g_u / c², c = g_u × g_v.
+//!
+//! Mirrors `UmbrageFooting` of the shaders, in f32 as they do.
+
+use glam::{Vec2, Vec3};
+
+use crate::ShadowView;
+
+/// The texels of a view at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Footing {
+    /// One side of a texel across the light, metres of world space: a texel to the right on the map.
+    pub right: Vec3,
+    /// The other: a texel downward.
+    pub down: Vec3,
+    /// How much stored depth grows a metre.
+    depth: Vec3,
+    right_gradient: Vec3,
+    down_gradient: Vec3,
+}
+
+impl ShadowView {
+    /// Its texels at a world-space point that lies before the light.
+    pub fn texel_at(&self, point: Vec3) -> Footing {
+        let m = &self.clip_from_world;
+        let [x, y, z, w] = [0, 1, 2, 3].map(|i| m.row(i));
+        let clip = *m * point.extend(1.0);
+        let gradient =
+            |row: glam::Vec4, value: f32| (row.truncate() - w.truncate() * (value / clip.w)) / clip.w;
+        let half = 0.5 * self.tile.size as f32;
+        let right_gradient = gradient(x, clip.x) * half;
+        let down_gradient = gradient(y, clip.y) * -half;
+        let across = right_gradient.cross(down_gradient);
+        let square = across.length_squared().max(f32::MIN_POSITIVE);
+        Footing {
+            right: down_gradient.cross(across) / square,
+            down: across.cross(right_gradient) / square,
+            depth: gradient(z, clip.z),
+            right_gradient,
+            down_gradient,
+        }
+    }
+}
+
+impl Footing {
+    /// The longer side, metres.
+    pub fn texel_metres(&self) -> f32 {
+        self.right.length().max(self.down.length())
+    }
+
+    /// How far along its unit normal a plane must be moved so that its point here comes to lie before all of the plane
+    /// within `texels` to every side, as the light sees it: metres. Along the light that is the distance over the cosine.
+    pub fn lift(&self, normal: Vec3, texels: f32) -> f32 {
+        texels * (normal.dot(self.right).abs() + normal.dot(self.down).abs())
+    }
+
+    /// The same where one stored depth is compared with all of these texels, however the view scales depth.
+    pub fn lift_over_stored(&self, normal: Vec3, to_light: Vec3, texels: f32) -> f32 {
+        let Self { depth, right_gradient, down_gradient, .. } = *self;
+        let across = right_gradient.cross(down_gradient).length();
+        let grown =
+            normal.dot(depth.cross(down_gradient)).abs() + normal.dot(right_gradient.cross(depth)).abs();
+        texels * grown / (across * self.rise(to_light)).max(f32::MIN_POSITIVE)
+    }
+
+    /// How much stored depth falls a metre toward the light, in its unit direction.
+    pub fn rise(&self, to_light: Vec3) -> f32 {
+        -self.depth.dot(to_light)
+    }
+
+    /// How much stored depth grows on a plane from a texel to the next, to the right and downward. `normal` and `to_light`
+    /// are unit. Planes steeper than [`Self::STEEPEST_PLANE`] count as that steep, and those turned away as flat: what
+    /// they show is the shadow of their other side.
+    pub fn slope(&self, normal: Vec3, to_light: Vec3) -> Vec2 {
+        let cosine = normal.dot(to_light);
+        if cosine <= 0.0 {
+            return Vec2::ZERO;
+        }
+        let Self { depth, right_gradient, down_gradient, .. } = *self;
+        let square = normal.dot(right_gradient.cross(down_gradient));
+        let slope =
+            Vec2::new(normal.dot(depth.cross(down_gradient)), normal.dot(right_gradient.cross(depth)))
+                / square;
+        let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+        let slope = slope * (cosine / cosine.max(sine / Self::STEEPEST_PLANE));
+        if slope.is_finite() { slope } else { Vec2::ZERO }
+    }
+
+    /// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light (83°).
+    /// Measured: less leaves acne on slopes, and more changes no picture while margins grow with it.
+    pub const STEEPEST_PLANE: f32 = 8.0;
+}

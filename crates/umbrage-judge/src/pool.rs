@@ -1,0 +1,94 @@
+//! Several lights in one picture: their errors as one, pixel by pixel and edge by edge.
+
+use crate::{Causes, DepthBand, Error};
+
+/// What is known of one light's shadows in a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// How wrong they are.
+    pub error: Error,
+    /// How many pixels were judged.
+    pub pixels: usize,
+    /// Length of all true edges, pixels.
+    pub edge_px: f64,
+}
+
+impl Error {
+    /// The error of several lights' shadows: every judged pixel of every light counts once, every edge for its length. The
+    /// Hausdorff distance is the worst light's. `None` without parts.
+    pub fn pooled(parts: &[Part]) -> Option<Self> {
+        let pixels = parts.iter().map(|part| part.pixels).sum::<usize>() as f64;
+        let mean = |of: &dyn Fn(&Self) -> f64| {
+            parts.iter().map(|part| of(&part.error) * part.pixels as f64).sum::<f64>() / pixels
+        };
+        let worst = parts.iter().filter_map(|part| part.error.hausdorff_95_px);
+        (pixels > 0.0).then(|| Self {
+            mis_shadowed: mean(&|e| e.mis_shadowed),
+            false_shadow: mean(&|e| e.false_shadow),
+            false_light: mean(&|e| e.false_light),
+            rmse: mean(&|e| e.rmse * e.rmse).sqrt(),
+            mae: mean(&|e| e.mae),
+            bias: mean(&|e| e.bias),
+            edge_displacement_px: displacement(parts),
+            hausdorff_95_px: worst.reduce(f64::max),
+            causes: Causes {
+                edge: mean(&|e| e.causes.edge),
+                acne: mean(&|e| e.causes.acne),
+                detach: mean(&|e| e.causes.detach),
+                leak: mean(&|e| e.causes.leak),
+                range: mean(&|e| e.causes.range),
+                other: mean(&|e| e.causes.other),
+            },
+            decades: DepthBand::pooled(parts.iter().map(|part| part.error.decades.as_slice())),
+        })
+    }
+}
+
+/// Wrong pixels for each pixel of edge, over all parts that have edges.
+fn displacement(parts: &[Part]) -> Option<f64> {
+    let sum = |of: &dyn Fn(&Part) -> f64| parts.iter().map(of).sum::<f64>();
+    let edge_px = sum(&|part| part.edge_px);
+    let wrong = sum(&|part| part.error.mis_shadowed * part.pixels as f64);
+    (edge_px > 0.0).then(|| wrong / edge_px)
+}
+
+impl DepthBand {
+    /// The bands of several lights; bands of the same depths become one. Edges are weighed by their wrong pixels over
+    /// their displacement, which is their length.
+    pub fn pooled<'a>(lights: impl Iterator<Item = &'a [Self]>) -> Vec<Self> {
+        let mut pooled: Vec<Self> = Vec::new();
+        for band in lights.flatten() {
+            match pooled.iter_mut().find(|other| other.depths == band.depths) {
+                Some(other) => *other = other.with(band),
+                None => pooled.push(band.clone()),
+            }
+        }
+        pooled.sort_by(|a, b| a.depths[0].total_cmp(&b.depths[0]));
+        pooled
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        let pixels = self.pixels + other.pixels;
+        let mean = |a: f64, b: f64| (a * self.pixels as f64 + b * other.pixels as f64) / pixels.max(1) as f64;
+        let edge_px = |band: &Self| match band.edge_displacement_px {
+            Some(px) if px > 0.0 => band.mis_shadowed * band.pixels as f64 / px,
+            _ => 0.0,
+        };
+        let (wrong, edges) = (
+            self.mis_shadowed * self.pixels as f64 + other.mis_shadowed * other.pixels as f64,
+            edge_px(self) + edge_px(other),
+        );
+        Self {
+            depths: self.depths,
+            pixels,
+            mis_shadowed: mean(self.mis_shadowed, other.mis_shadowed),
+            false_shadow: mean(self.false_shadow, other.false_shadow),
+            false_light: mean(self.false_light, other.false_light),
+            edge_displacement_px: if edges > 0.0 {
+                Some(wrong / edges)
+            } else {
+                self.edge_displacement_px.or(other.edge_displacement_px)
+            },
+        }
+    }
+}

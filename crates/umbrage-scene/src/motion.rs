@@ -1,0 +1,69 @@
+//! How things of a world move with time: instances and lights follow the same law.
+
+use glam::{Mat4, Vec3};
+
+/// How an instance or a light moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Motion {
+    /// It never does.
+    #[default]
+    Still,
+    /// It turns about an axis through `centre`, in world space: a wheel where the centre is its own, a march in a
+    /// circle where it is far.
+    Turn {
+        /// A point on the axis, in world space.
+        centre: Vec3,
+        /// Unit direction of the axis, in world space.
+        axis: Vec3,
+        /// Counter-clockwise seen against the axis.
+        radians_per_second: f32,
+    },
+}
+
+impl Motion {
+    /// Where something stands `seconds` after the start that begins at `world_from_thing`; exactly there at 0.
+    pub fn moved(&self, world_from_thing: Mat4, seconds: f32) -> Mat4 {
+        match *self {
+            Self::Turn { centre, axis, radians_per_second } if seconds != 0.0 => {
+                let turn = Mat4::from_axis_angle(axis, radians_per_second * seconds);
+                Mat4::from_translation(centre) * turn * Mat4::from_translation(-centre) * world_from_thing
+            }
+            Self::Turn { .. } | Self::Still => world_from_thing,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Instance, Light};
+
+    const QUARTER_A_SECOND: Motion =
+        Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: std::f32::consts::FRAC_PI_2 };
+
+    #[test]
+    fn a_quarter_turn_about_the_origin_takes_x_to_minus_z() {
+        let start = Mat4::from_translation(Vec3::X);
+        assert_eq!(QUARTER_A_SECOND.moved(start, 0.0), start);
+        let moved = QUARTER_A_SECOND.moved(start, 1.0).transform_point3(Vec3::ZERO);
+        assert!((moved - Vec3::NEG_Z).length() < 1e-6, "{moved}");
+    }
+
+    #[test]
+    fn what_is_still_stays() {
+        let start = Mat4::from_translation(Vec3::X);
+        assert_eq!(Motion::Still.moved(start, 7.0), start);
+    }
+
+    #[test]
+    fn a_lamp_carried_by_an_instance_stays_with_it() {
+        let light = Light {
+            motion: QUARTER_A_SECOND,
+            ..Light::spot("lamp", Vec3::new(3.0, 2.0, 1.0), Vec3::ZERO, 0.2, 0.4, 9.0, 1.0)
+        };
+        let carrier = Instance { motion: QUARTER_A_SECOND, ..Instance::still(0, light.world_from_light) };
+        for seconds in [0.0, 0.5, 3.0] {
+            assert_eq!(light.world_from_light_at(seconds), carrier.world_from_mesh_at(seconds));
+        }
+    }
+}

@@ -1,0 +1,14 @@
+// The last part of a slice fades into the next view, whose map is fitted to hold it; the end of all shadows into light.
+
+fn umbrage_blend(view_index: u32, light: u32, lookup: UmbrageLookup, own: f32, receiver: UmbrageReceiver) -> f32 {
+    let view_end = umbrage_frame.lights[light].first_view + umbrage_frame.lights[light].view_count;
+    let start = umbrage_frame.views[view_index].depth_start;
+    let end = umbrage_frame.views[view_index].depth_end;
+    let share = (end - receiver.depth) / ((end - start) * UMBRAGE_BLEND);
+    let next = view_index + 1u;
+    if umbrage_frame.lights[light].is_cube == 1u || next >= view_end || share >= 1.0 {
+        return umbrage_faded(own, start, receiver.depth);
+    }
+    let other = umbrage_visibility_in(next, light, receiver);
+    return umbrage_faded(mix(other, own, smoothstep(0.0, 1.0, share)), start, receiver.depth);
+}
