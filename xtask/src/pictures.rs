@@ -12,6 +12,10 @@ const PICTURES: &[(&str, &str, &str)] = &[
     ("primitives", "main", "primitives"),
     ("bunny", "main", "bunny"),
     ("dragon", "main", "dragon"),
+    ("orbit", "main", "orbit"),
+    ("tutorial-room", "main", "tutorial-room"),
+    ("closed-room", "main", "closed-room"),
+    ("night-chessboard", "main", "night-chessboard"),
 ];
 
 pub fn draw() -> anyhow::Result<()> {
@@ -22,5 +26,7 @@ pub fn draw() -> anyhow::Result<()> {
         let size = if *file == "mining-terrain" { "1280x720" } else { "640x360" };
         umbrage(&["render", world, "--camera", camera, "--size", size, "-o", &output])?;
     }
+    let aliasing = "docs/pictures/aliasing.png";
+    umbrage(&["render", "mining-terrain", "--size", "640x360", "--aliasing", aliasing])?;
     Ok(())
 }

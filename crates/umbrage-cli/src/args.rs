@@ -16,7 +16,7 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Draws the default world three ways, side by side, and prints what each costs
+    /// Draws a world two ways beside the truth, and prints how wrong each is and what it costs
     Demo(DemoArgs),
     /// Draws a picture, its visibility, or its shadow maps
     Render(RenderArgs),
@@ -38,6 +38,9 @@ pub enum Command {
 
 #[derive(Debug, Args)]
 pub struct DemoArgs {
+    /// A built-in name (see `umbrage worlds`), or a .glb, .gltf or .obj
+    #[arg(default_value = umbrage_scene::worlds::DEFAULT)]
+    pub world: String,
     /// Where the picture goes
     #[arg(short, long, value_name = "FILE.png", default_value = "umbrage-demo.png")]
     pub output: PathBuf,
@@ -62,11 +65,15 @@ pub struct RenderArgs {
     /// A folder for the shadow maps, near dark, far pale
     #[arg(long, value_name = "DIR")]
     pub maps: Option<PathBuf>,
+    /// Where a picture of texel sizes goes: white where a texel of the first light's maps is a pixel long, orange where it
+    /// is longer, blue where shorter
+    #[arg(long, value_name = "FILE.png")]
+    pub aliasing: Option<PathBuf>,
     /// Tint what each split serves
     #[arg(long)]
     pub splits: bool,
     /// Draw no shadows
-    #[arg(long, conflicts_with_all = ["splits", "visibility", "maps"])]
+    #[arg(long, conflicts_with_all = ["splits", "visibility", "maps", "aliasing"])]
     pub no_shadows: bool,
 }
 

@@ -119,7 +119,8 @@ pub enum Fit {
     Scene,
     /// The whole slice ("scene-independent").
     View,
-    /// A sphere around the slice, moved by whole texels: edges hold still under any camera motion.
+    /// A sphere around the slice, moved by whole texels; for a spot, its whole cone: edges hold still under any camera
+    /// motion.
     Stable,
 }
 

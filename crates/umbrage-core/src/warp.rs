@@ -37,6 +37,8 @@ pub(crate) struct Warp {
 const FARTHEST: f64 = 1e3;
 /// Lines are not nearer than this share of the map's depth: a map that ends at infinity has no texels.
 const NEAREST: f64 = 1e-3;
+/// See [`Along::fade`].
+const FADE: f64 = 0.3;
 /// Sine of the angle between light and view, below which there is no ahead.
 const LEAST_SINE: f64 = 1e-4;
 
@@ -101,15 +103,16 @@ pub(crate) fn warp(kind: settings::Warp, sight: &Sight<'_>) -> Option<(DVec2, Wa
             let vanishing = psm::vanishing_line(sight)?;
             let ahead = vanishing.truncate().try_normalize()?;
             let along = Along::new(sight, ahead)?;
-            along.warp(vanishing.z / vanishing.truncate().length())
+            // A line through the receivers is no use: the light is just outside of what is seen.
+            along.warp(Some(vanishing.z / vanishing.truncate().length()).filter(|distance| *distance > 0.0)?)
         }
         settings::Warp::Lispsm => {
             let along = Along::new(sight, sight.ahead()?)?;
-            along.warp(lispsm::distance(&along)?)
+            along.warp(lispsm::distance(&along)? / along.fade()?)
         }
         settings::Warp::Tsm => {
             let along = Along::new(sight, sight.ahead()?)?;
-            along.warp(tsm::distance(&along)?)
+            along.warp(tsm::distance(&along)? / along.fade()?)
         }
     }
 }
@@ -168,12 +171,21 @@ impl<'a> Along<'a> {
         let near = sight.depths.start.max(f64::from(sight.camera.near()));
         let depths = near..near + depth_at(high) - depth_at(low);
         let is_usable = high > low && depths.end.is_finite() && aside.is_finite();
-        is_usable.then(|| Self { sight, ahead, aside, low, length: high - low, depths })
+        is_usable.then_some(Self { sight, ahead, aside, low, length: high - low, depths })
     }
 
     /// View depths of what is seen, metres.
     pub fn seen(&self) -> &Range<f64> {
         &self.sight.depths
+    }
+
+    /// From 1 to 0 as light and view become parallel, and ahead loses its direction: over the last [`FADE`] of the share of
+    /// the map's length that the line of sight runs over. Distances are divided by it.
+    pub fn fade(&self) -> Option<f64> {
+        let seen = self.seen();
+        let run = (self.height_at(seen.end)? - self.height_at(seen.start)?) / self.length;
+        let share = (run / FADE).clamp(0.0, 1.0);
+        Some(share * share * (3.0 - 2.0 * share))
     }
 
     /// How far above the nearest receivers the line of sight is at a view depth; `None` where a spot has that behind it.

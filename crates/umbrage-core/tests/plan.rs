@@ -18,7 +18,7 @@ use umbrage_core::{
 use any::{camera, direction, fit_and_warp, point_in, seen, share, world};
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60000))]
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn what_is_seen_of_an_object_lies_in_its_splits_view_and_so_do_its_casters(
@@ -227,5 +227,27 @@ fn casters_within_the_filters_reach_of_a_receiver_are_kept() {
             "split {}: one far beyond reach is left out",
             view.split
         );
+    }
+}
+
+#[test]
+fn replanning_makes_the_same_plan_in_the_room_that_there_is() {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+    let camera_at = |x: f32| {
+        Camera::looking(Vec3::new(x, 8.0, 60.0), Vec3::ZERO, Vec3::Y, projection, 1.0, 200.0).unwrap()
+    };
+    let lights = [
+        Light::directional(Vec3::new(0.4, -1.0, 0.2)).unwrap(),
+        Light::spot(Vec3::Y * 20.0, Vec3::NEG_Y, 0.8, 60.0).unwrap(),
+        Light::point(Vec3::new(9.0, 4.0, 5.0), 50.0).unwrap(),
+    ];
+    let (bounds, settings) = (world(), Settings { spot_splits: 2, ..Settings::default() });
+    let mut reused = plan(&camera_at(0.0), &lights, &bounds, &settings).unwrap();
+    let room = (reused.views().as_ptr(), reused.lights().as_ptr());
+    for x in [5.0, -20.0, 0.5] {
+        reused.replan(&camera_at(x), &lights, &bounds, &settings).unwrap();
+        let fresh = plan(&camera_at(x), &lights, &bounds, &settings).unwrap();
+        assert_eq!(reused.views(), fresh.views(), "nothing of the frame before is left");
+        assert_eq!((reused.views().as_ptr(), reused.lights().as_ptr()), room, "the lists have not moved");
     }
 }

@@ -82,7 +82,7 @@ pub struct Way {
     pub sweep: Option<Sweep>,
     /// What the source reported of it, world by world: shown beside our figures.
     #[serde(default)]
-    pub reported: std::collections::BTreeMap<String, String>,
+    pub reported: BTreeMap<String, String>,
 }
 
 /// A setting and its values.

@@ -12,6 +12,7 @@ use umbrage_judge::{
 use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
 use umbrage_scene::{Camera, Scene};
 
+use crate::aliasing::Aliasing;
 use crate::error::LabError;
 use crate::heat::{Wrongness, heat_map};
 use crate::measurement::{MeasuredLight, Measurement, Milliseconds, TruthCounts};
@@ -147,12 +148,9 @@ impl<'a> Laboratory<'a> {
             .enumerate()
             .map(|(light, (visibility, traced))| {
                 let texel_metres = texel_metres(&plan, settings, light, &traced.truth);
-                Judgement::new(
-                    &world,
-                    traced,
-                    &Claim { visibility, texel_metres: &texel_metres },
-                    plan.splits(),
-                )
+                let claim = Claim { visibility, texel_metres: &texel_metres };
+                let aliasing = Aliasing::new(&plan, settings, light, &traced.truth);
+                Judgement::new(&world, traced, &claim, plan.splits(), aliasing)
             })
             .collect();
         let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
@@ -180,6 +178,7 @@ impl<'a> Laboratory<'a> {
                 standard_error: sum(Traced::mean_error) / traced.len().max(1) as f64,
             },
             error,
+            aliasing: judgements.first().map(|of| of.aliasing.summary).unwrap_or_default(),
             lights: shot.lights.iter().zip(&judgements).map(|(light, of)| of.measured(&light.name)).collect(),
             flip,
             splits: DepthBand::pooled(judgements.iter().map(|judgement| judgement.splits.as_slice())),
@@ -193,6 +192,20 @@ impl<'a> Laboratory<'a> {
         };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &wrongness(&traced, &visibility)), ..shaded };
         Ok(Judged { measurement, shaded, true_picture, heat_map, plan, tracing })
+    }
+
+    /// How large the texels of one of a shot's lights look, pixel by pixel.
+    ///
+    /// # Errors
+    /// As [`Self::judge`], and when there is no such light.
+    pub fn aliasing(&mut self, shot: &Shot, settings: &Settings, light: usize) -> Result<Aliasing, LabError> {
+        self.use_settings(settings)?;
+        let plan = self.renderer.render(&shot.frame(Show::World)?)?.plan;
+        let traced =
+            self.trace(shot, TruthKind::Hard, plan.splits().last().copied().unwrap_or(f64::INFINITY));
+        let missing = || LabError::Missing { what: format!("light {light}"), world: self.scene.name.clone() };
+        let Traced { truth, .. } = traced.get(light).ok_or_else(missing)?;
+        Ok(Aliasing::new(&plan, settings, light, truth))
     }
 
     /// Makes shadows as `settings` say from now on.
@@ -311,10 +324,11 @@ struct Judgement {
     counts: TruthCounts,
     splits: Vec<DepthBand>,
     around_cuts: Vec<[DepthBand; 2]>,
+    aliasing: Aliasing,
 }
 
 impl Judgement {
-    fn new(world: &World, traced: &Traced, claim: &Claim<'_>, splits: &[f64]) -> Self {
+    fn new(world: &World, traced: &Traced, claim: &Claim<'_>, splits: &[f64], aliasing: Aliasing) -> Self {
         let Traced { truth, edges, smooth } = traced;
         let counts = TruthCounts {
             pixels: truth.judged(),
@@ -329,12 +343,13 @@ impl Judgement {
             counts,
             splits: DepthBand::between(truth, edges, claim, splits),
             around_cuts: around_cuts(truth, edges, claim, splits),
+            aliasing,
         }
     }
 
     fn measured(&self, name: &str) -> MeasuredLight {
         let error = self.part.as_ref().map(|part| part.error.clone());
-        MeasuredLight { name: name.to_owned(), truth: self.counts, error }
+        MeasuredLight { name: name.to_owned(), truth: self.counts, error, aliasing: self.aliasing.summary }
     }
 }
 

@@ -8,6 +8,7 @@
 //!
 //! This crate does not: know how shadows are made or judged, parse a command line, or print.
 
+pub mod aliasing;
 pub mod csv;
 pub mod figures;
 pub mod files;

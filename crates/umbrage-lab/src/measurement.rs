@@ -6,6 +6,8 @@ use umbrage_judge::statistics::Spread;
 use umbrage_judge::temporal::Flicker;
 use umbrage_judge::{DepthBand, Error};
 
+use crate::aliasing::AliasingSummary;
+
 /// The figures of one picture, or of one path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
@@ -33,6 +35,8 @@ pub struct Measurement {
     pub error: Option<Error>,
     /// The same light by light.
     pub lights: Vec<MeasuredLight>,
+    /// How large the first light's texels look.
+    pub aliasing: AliasingSummary,
     /// FLIP between the shaded picture and the same picture with true shadows; absent where no pixel is judged.
     pub flip: Option<f64>,
     /// What is wrong in each split's slice of depth. With `select = "map"` a finer view may have served part of it.
@@ -56,6 +60,8 @@ pub struct MeasuredLight {
     pub truth: TruthCounts,
     /// How wrong its shadows are; absent where it shines on nothing in sight.
     pub error: Option<Error>,
+    /// How large its texels look.
+    pub aliasing: AliasingSummary,
 }
 
 /// What the truth says of a picture; of several lights, of all together.

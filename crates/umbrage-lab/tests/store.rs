@@ -80,6 +80,7 @@ fn outcome(cell: &Cell) -> Outcome {
             decades: vec![band.clone()],
         }),
         lights: Vec::new(),
+        aliasing: Default::default(),
         flip: Some(0.07),
         splits: vec![band.clone(), band.clone()],
         around_cuts: vec![[band.clone(), band]],

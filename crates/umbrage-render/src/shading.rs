@@ -1,4 +1,4 @@
-//! The shading pass: every receiver once, with the sun's visibility asked of umbrage; then the sky.
+//! The shading pass: every receiver once, with every lamp's visibility asked of umbrage; then the sky.
 
 use encase::{ShaderType, UniformBuffer};
 use glam::{Mat4, Vec3, Vec4};

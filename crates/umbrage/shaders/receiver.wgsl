@@ -1,8 +1,8 @@
 // What a receiver's fragment shader needs: how much of a light reaches a point, 1 for all and 0 for none.
 //
 // `umbrage_footing` comes from `footing.wgsl`, `umbrage_select` from a file of `select/`, `umbrage_gradient` and
-// `umbrage_lift` from one of `reference/`, `umbrage_filter` from one of `filter/`, `umbrage_blend` from one of `blend/`, `umbrage_shade` from one of
-// `shade/`.
+// `umbrage_lift` from one of `reference/`, `umbrage_filter` from one of `filter/`, `umbrage_blend` from one of `blend/`,
+// `umbrage_shade` from one of `shade/`.
 
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
 @group(0) @binding(2) var umbrage_compare: sampler_comparison;
@@ -135,8 +135,8 @@ fn umbrage_visibility_in(view_index: u32, light: u32, receiver: UmbrageReceiver)
 }
 
 /// How much of one light reaches a world-space point. Points outside every map are lit, and so is everything by a light
-/// that the plan does not have, and what lies outside of a spot's cone: its shading leaves that dark. `pixel` is the
-/// fragment's position on screen.
+/// that the plan does not have. What lies outside of a spot's cone may be either: its shading leaves that dark. `pixel` is
+/// the fragment's position on screen.
 fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec3f, pixel: vec2f) -> f32 {
     let view_index = umbrage_view_of(light, world_position, world_normal);
     if view_index == UMBRAGE_NO_VIEW {

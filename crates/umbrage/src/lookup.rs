@@ -1,7 +1,8 @@
 //! The lookup of the shaders once more, in Rust: the oracle that the GPU is tested against, and a way to ask for
 //! visibility without one.
 //!
-//! Mirrors `shaders/receiver.wgsl`, `shaders/select/`, `shaders/reference/` and `shaders/filter/`, in f32 as they do.
+//! Mirrors `shaders/receiver.wgsl` and `footing.wgsl`, and the files of `select/`, `reference/`, `filter/` and `blend/`, in f32
+//! as they do.
 
 use glam::{Vec2, Vec3};
 use umbrage_core::{
@@ -95,7 +96,8 @@ impl Lookup<'_> {
             None => own,
         };
         let end = self.plan.splits().last().map_or(0.0, |end| *end as f32);
-        let left = (end - receiver.depth) / ((end - view.depths.start) * blend).max(1e-30);
+        let start = receiver.views().last().map_or(end, |last| last.depths.start);
+        let left = (end - receiver.depth) / ((end - start) * blend).max(1e-30);
         mix(1.0, mixed, smoothstep(left))
     }
 

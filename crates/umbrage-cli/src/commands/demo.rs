@@ -1,19 +1,19 @@
-//! `umbrage demo`: the default world two ways from one camera, beside the truth, as one picture that explains itself.
+//! `umbrage demo`: a world two ways from one camera, beside the truth, as one picture that explains itself.
 //!
 //! A column a technique: the picture; where it is wrong; which map serves what; the shadow maps; what they cost.
 //! The last column is exact.
 
 use anyhow::Context as _;
 use image::{DynamicImage, GrayImage, RgbaImage};
-use umbrage::{MapTexels, Preset, ShadowPlan};
+use umbrage::{MapTexels, Preset, Rays, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
 use umbrage_render::{Frame, Gpu, Picture, Show};
-use umbrage_scene::{Scene, worlds};
+use umbrage_scene::Scene;
 
 use crate::args::DemoArgs;
 use crate::commands::plan::splits_text;
 use crate::commands::render::grey_map;
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
 use crate::{output, progress, world};
 
@@ -29,23 +29,26 @@ const HEAD: u32 = 96;
 const LINE: u32 = 26;
 const WORDS: u32 = 7 * LINE;
 
+/// As many maps as a picture is wide.
+const MOST_VIEWS: usize = 4;
+
 /// How often a picture is drawn for its times.
 const RUNS: u32 = 5;
 
 /// What the rows are, in the column that has no shadow maps to show.
 const LEGEND: [&str; 16] = [
     "Upper row: the world as it is drawn; here with exact shadows,",
-    "a ray from every pixel to the sun.",
+    "a ray from every pixel to the light.",
     "",
     "Second row: where shadows are wrong. Orange is shadowed and",
     "should be lit, blue is lit and should be shadowed. What is",
-    "darkest is not judged: sky, and surfaces turned from the sun.",
+    "darkest is not judged: sky, and surfaces turned from the light.",
     "",
     "Third row: tinted by the shadow map that serves each place.",
     "Each split, a slice of depth, has a map of its own; the finest",
     "map that covers a place serves it.",
     "",
-    "Lower row: those shadow maps, seen from the sun,",
+    "Lower row: those shadow maps, seen from the light,",
     "near dark, far pale, white where nothing casts.",
     "",
     "Below: where the view is cut, how wrong shadows are, and what",
@@ -64,9 +67,9 @@ struct Column {
 }
 
 pub fn run(args: &DemoArgs) -> Outcome {
-    let scene = world::load(worlds::DEFAULT, 0)?;
+    let scene = world::load(&args.world, 0)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
-    let shot = main_shot(&scene);
+    let shot = main_shot(&scene)?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let ways = [("One shadow map of 1024²", "zhang-ssm-1024"), ("Four splits of 1024²", "default")];
     let bar = progress::bar(ways.len() as u64, "drawing and judging");
@@ -76,8 +79,13 @@ pub fn run(args: &DemoArgs) -> Outcome {
         bar.inc(1);
     }
     bar.finish_and_clear();
+    let lights = if scene.lights.len() == 1 {
+        "one light".to_owned()
+    } else {
+        format!("{} lights", scene.lights.len())
+    };
     let heading =
-        format!("{}: {} triangles, one sun, one camera; {}", scene.name, scene.triangles(), gpu.adapter);
+        format!("{}: {} triangles, {lights}, one camera; {}", scene.name, scene.triangles(), gpu.adapter);
     let sheet = compose(&heading, &columns)?;
     let (width, height) = sheet.dimensions();
     output::write_png(&args.output, width, height, &sheet, image::ExtendedColorType::Rgba8)?;
@@ -92,9 +100,12 @@ pub fn run(args: &DemoArgs) -> Outcome {
 }
 
 /// The world's first camera and its lights.
-fn main_shot(scene: &Scene) -> Shot {
-    let (camera, lights) = (scene.cameras[0].clone(), scene.lights.clone());
-    Shot { camera, lights, seconds: 0.0, width: WIDTH, height: HEIGHT }
+fn main_shot(scene: &Scene) -> Outcome<Shot> {
+    let camera = scene.cameras.first().context("this world has no camera")?.clone();
+    if scene.lights.is_empty() {
+        return Err(Failure::words("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
+    }
+    Ok(Shot { camera, lights: scene.lights.clone(), seconds: 0.0, width: WIDTH, height: HEIGHT })
 }
 
 fn column(
@@ -121,15 +132,23 @@ fn column(
 
 /// What a technique does, how wrong it is, and what it costs.
 fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> anyhow::Result<Vec<String>> {
-    let error = measurement.error.as_ref().context("the default world has pixels to judge")?;
+    let error = measurement
+        .error
+        .as_ref()
+        .context("no pixels to judge: the camera sees nothing that a light could reach")?;
     let times = measurement.milliseconds.unwrap_or_default();
     let clock = if has_timestamps { "device time" } else { "wall time" };
-    let texels: Vec<String> = plan.views().iter().map(|view| format!("{:.3}", view.texel_metres)).collect();
+    // Of many lights' views the first few will do.
+    let texels: Vec<String> =
+        plan.views().iter().take(MOST_VIEWS).map(|view| format!("{:.3}", view.texel_metres)).collect();
     let percent = |share: f64| format!("{:.2} %", 100.0 * share);
     let edges =
         error.edge_displacement_px.map_or_else(String::new, |px| format!("; edges off by {px:.2} pixels"));
     Ok(vec![
-        format!("splits {} m", splits_text(plan.splits())),
+        match plan.lights().first().map(|light| light.rays) {
+            Some(Rays::Directional { .. }) => format!("splits {} m", splits_text(plan.splits())),
+            _ => format!("{} views", plan.views().len()),
+        },
         format!("a texel is {} m", texels.join(", ")),
         format!("{} of pixels wrongly shadowed or lit{edges}", percent(error.mis_shadowed)),
         format!(
@@ -151,7 +170,7 @@ fn image_of(picture: Picture) -> anyhow::Result<RgbaImage> {
 }
 
 fn thumbnails(maps: &MapTexels, plan: &ShadowPlan) -> Vec<RgbaImage> {
-    let views = plan.views().iter();
+    let views = plan.views().iter().take(MOST_VIEWS);
     views
         .filter_map(|view| GrayImage::from_raw(view.tile.size, view.tile.size, grey_map(maps, view)))
         .map(|grey| DynamicImage::ImageLuma8(grey).into_rgba8())

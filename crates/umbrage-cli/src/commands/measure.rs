@@ -50,7 +50,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     bar.inc(1);
     if judged.measurement.error.is_none() {
         return Err(
-            anyhow::anyhow!("no pixels to judge: the camera sees nothing that the sun could light").into()
+            anyhow::anyhow!("no pixels to judge: the camera sees nothing that a light could reach").into()
         );
     }
     let mut others = Vec::new();

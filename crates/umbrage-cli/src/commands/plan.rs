@@ -1,7 +1,7 @@
 //! `umbrage plan`: where the camera's depth is cut, and what each view covers.
 
 use serde::Serialize;
-use umbrage::{Light, Settings, ShadowPlan};
+use umbrage::{Light, Projection, Settings, ShadowPlan, Warp};
 use umbrage_render::Show;
 
 use crate::args::PlanArgs;
@@ -16,6 +16,9 @@ struct Report<'a> {
     settings: &'a Settings,
     splits: &'a [f64],
     views: Vec<View>,
+    /// How many times more texels a sun overhead needs than pixels there are: with these splits, and at the least.
+    storage_factor: f64,
+    least_storage_factor: f64,
     texels: u64,
     bytes: u64,
 }
@@ -38,7 +41,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
     let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::words)?;
     match &args.json {
         Some(path) => output::write_json(path, &report(&scene.name, scene.triangles(), &settings, &plan))?,
-        None => output::print(&text(&plan))?,
+        None => output::print(&text(&plan, settings.warp))?,
     }
     Ok(())
 }
@@ -57,8 +60,28 @@ fn report<'a>(world: &'a str, triangles: usize, settings: &'a Settings, plan: &'
         settings,
         splits: plan.splits(),
         views: plan.views().iter().map(view).collect(),
+        storage_factor: storage_factor(plan, settings.warp),
+        least_storage_factor: umbrage::ideal_storage_factor(depths(plan)) / spread(plan),
         texels: plan.layout().texels(),
         bytes: plan.layout().bytes(),
+    }
+}
+
+/// Of a plan's splits, for a sun overhead and a picture as high as wide (Lloyd et al. 2006; Zhang et al. 2006, eq. 1).
+fn storage_factor(plan: &ShadowPlan, warp: Warp) -> f64 {
+    umbrage::storage_factor(plan.splits(), warp != Warp::None) / spread(plan)
+}
+
+fn depths(plan: &ShadowPlan) -> std::ops::Range<f64> {
+    let splits = plan.splits();
+    splits[0]..splits[splits.len() - 1]
+}
+
+/// How much wider the view gets a metre of depth; 1 where it does not.
+fn spread(plan: &ShadowPlan) -> f64 {
+    match plan.camera().projection() {
+        Projection::Perspective { fov_y, .. } => 2.0 * (0.5 * f64::from(fov_y)).tan(),
+        Projection::Orthographic { .. } => 1.0,
     }
 }
 
@@ -71,7 +94,7 @@ pub fn splits_text(splits: &[f64]) -> String {
     splits.iter().enumerate().map(text).collect::<Vec<_>>().join(", ")
 }
 
-fn text(plan: &ShadowPlan) -> String {
+fn text(plan: &ShadowPlan, warp: Warp) -> String {
     let mut text = format!("splits {} m\n", splits_text(plan.splits()));
     for view in plan.views() {
         text += &format!(
@@ -80,7 +103,13 @@ fn text(plan: &ShadowPlan) -> String {
         );
     }
     let layout = plan.layout();
-    text + &format!("{} texels, {} bytes\n", layout.texels(), layout.bytes())
+    text + &format!(
+        "{} texels, {} bytes\nunder a sun overhead, {:.0} texels a pixel at worst; the least there is are {:.1}\n",
+        layout.texels(),
+        layout.bytes(),
+        storage_factor(plan, warp),
+        umbrage::ideal_storage_factor(depths(plan)) / spread(plan)
+    )
 }
 
 #[cfg(test)]

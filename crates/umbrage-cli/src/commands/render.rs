@@ -3,17 +3,21 @@
 use std::path::Path;
 
 use image::ExtendedColorType;
-use umbrage::{MapTexels, ShadowView};
+use umbrage::{MapTexels, Settings, ShadowView};
+use umbrage_lab::aliasing::{Aliasing, AliasingSummary, heat_map};
+use umbrage_lab::{Laboratory, Shot};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
+use umbrage_scene::Scene;
 
 use crate::args::RenderArgs;
 use crate::failure::{Failure, Outcome};
 use crate::{output, settings, world};
 
 pub fn run(args: &RenderArgs) -> Outcome {
-    if args.output.is_none() && args.visibility.is_none() && args.maps.is_none() {
+    let pictures = [&args.output, &args.visibility, &args.maps, &args.aliasing];
+    if pictures.into_iter().all(Option::is_none) {
         return Err(Failure::words(
-            "nothing to write: give -o FILE.png, --visibility FILE.png or --maps DIR",
+            "nothing to write: give -o FILE.png, --visibility FILE.png, --aliasing FILE.png or --maps DIR",
         ));
     }
     let settings = settings::resolve(&args.shadows)?;
@@ -25,6 +29,9 @@ pub fn run(args: &RenderArgs) -> Outcome {
     };
     let frame = world::frame(&args.world, &scene, show)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
+    if let Some(path) = &args.aliasing {
+        write_aliasing(path, &gpu, &scene, &world::shot(&args.world, &scene, world::PICTURE)?, &settings)?;
+    }
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
     if let Some(path) = &args.visibility {
         renderer.render(&Frame { show: Show::Visibility(0), ..frame.clone() })?;
@@ -40,6 +47,21 @@ pub fn run(args: &RenderArgs) -> Outcome {
     if let Some(folder) = &args.maps {
         write_maps(folder, &renderer.maps()?, rendered.plan.views())?;
     }
+    Ok(())
+}
+
+/// Writes how large texels look, and says it in a few numbers.
+fn write_aliasing(path: &Path, gpu: &Gpu, scene: &Scene, shot: &Shot, settings: &Settings) -> Outcome {
+    let Aliasing { extents, summary } = Laboratory::new(gpu, scene)?.aliasing(shot, settings, 0)?;
+    let AliasingSummary { median_px, p95_px, max_px, under_sampled, over_sampled, utilisation } = summary;
+    output::write_png(path, shot.width, shot.height, &heat_map(&extents), ExtendedColorType::Rgba8)?;
+    output::print(&format!(
+        "a texel is {median_px:.2} pixels long in the median, {p95_px:.2} at the 95th percentile, {max_px:.2} at most\n\
+         {:.1} % of pixels have a longer texel than a pixel, {:.1} % a shorter one than half; {:.1} % of all texels are read\n",
+        100.0 * under_sampled,
+        100.0 * over_sampled,
+        100.0 * utilisation,
+    ))?;
     Ok(())
 }
 

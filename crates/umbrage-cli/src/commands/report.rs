@@ -5,7 +5,7 @@ use std::path::Path;
 
 use umbrage_lab::{Entry, Experiment, LabError, Laboratory, Row, Store, csv, files, page};
 use umbrage_render::Gpu;
-use umbrage_scene::{LightKind, Scene};
+use umbrage_scene::Scene;
 
 use crate::args::ReportArgs;
 use crate::failure::{Failure, Outcome};
@@ -28,14 +28,14 @@ pub fn run(args: &ReportArgs) -> Outcome {
     Ok(())
 }
 
-/// An experiment that can be run, and its worlds. Every world must have a sun.
+/// An experiment that can be run, and its worlds. Every world must have a light.
 fn read(path: &Path) -> Outcome<(Experiment, BTreeMap<String, Scene>)> {
     let mut scenes = BTreeMap::new();
     let experiment = Experiment::read_with(path, |name, seed| {
         let scene = files::load_world(name, seed)?.scene;
         let cameras = scene.cameras.iter().map(|camera| camera.name.clone()).collect();
-        if !scene.lights.iter().any(|light| light.kind == LightKind::Directional) {
-            return Err(LabError::Missing { what: "directional light".to_owned(), world: name.to_owned() });
+        if scene.lights.is_empty() {
+            return Err(LabError::Missing { what: "light".to_owned(), world: name.to_owned() });
         }
         scenes.insert(name.to_owned(), scene);
         Ok(cameras)

@@ -28,6 +28,7 @@ pub(crate) struct Cutter {
 const MAX_EDGES: usize = 6 * MAX_FACES;
 
 /// How a box lies to a slice.
+#[expect(clippy::large_enum_variant, reason = "lives for one box, on the stack; a heap would cost more")]
 pub(crate) enum Within {
     /// Nothing of it is inside.
     Outside,

@@ -3,7 +3,7 @@
 //! Wimmer, Scherzer & Purgathofer, *Light Space Perspective Shadow Maps*, EGSR 2004, with the authors' revision of 2005.
 //! Paper → here: n → the distance, d → `length`, z_n and z_f → `depths`. n_opt = (z_n + √(z_n z_f)) / sin γ is the same
 //! as d / (√(z_f / z_n) − 1), which needs no angle and holds for spots. As light and view become parallel z_f nears z_n,
-//! and the distance grows without bound: the map fades to an even one.
+//! and the distance grows without bound; in a deep view it does so only in the last moment, so a fade helps.
 
 use super::Along;
 
@@ -22,10 +22,12 @@ mod tests {
     use crate::convex::ConvexBody;
     use crate::settings;
     use crate::space::LightSpace;
-    use crate::warp::{Sight, Warp, warp};
+    use crate::warp::lispsm::distance;
+    use crate::warp::{Along, Sight, Warp, warp};
 
     /// The warp of a map 99 m long whose nearest receivers are at view depth 1, under a sun at this angle to the view.
-    fn v7(degrees: f64) -> (LightSpace, Option<(DVec2, Warp)>) {
+    /// And how far behind them the line at infinity lies before it fades.
+    fn v7(degrees: f64) -> (LightSpace, Option<(DVec2, Warp)>, Option<f64>) {
         let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
         let camera =
             Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 1.0, 100.0).expect("a camera");
@@ -45,7 +47,8 @@ mod tests {
             world: Aabb::EMPTY,
         };
         let warped = warp(settings::Warp::Lispsm, &sight);
-        (light, warped)
+        let along = sight.ahead().and_then(|ahead| Along::new(&sight, ahead));
+        (light, warped, along.and_then(|along| distance(&along)))
     }
 
     #[test]
@@ -61,8 +64,8 @@ mod tests {
             (1.0, 151.933301),
         ] {
             for degrees in [degrees, 180.0 - degrees] {
-                let (_, warped) = v7(degrees);
-                let distance = warped.map(|(_, warp)| 1.0 / warp.inverse_distance).expect("a warp");
+                let (_, _, distance) = v7(degrees);
+                let distance = distance.expect("a warp");
                 assert!((distance - n_opt).abs() < 1e-6 * n_opt, "{degrees}°: {distance}, not {n_opt}");
             }
         }
@@ -70,7 +73,7 @@ mod tests {
 
     #[test]
     fn depths_under_a_sun_overhead_lie_on_the_map_as_in_v7() {
-        let (light, warped) = v7(90.0);
+        let (light, warped, _) = v7(90.0);
         let (ahead, warp) = warped.expect("a warp");
         let place = |z: f64| {
             let on_map = light.to_light(DVec3::new(0.0, 0.0, -z)).truncate();
@@ -93,7 +96,7 @@ mod tests {
     #[test]
     fn there_is_no_warp_where_light_and_view_are_parallel() {
         for degrees in [0.0, 1e-9, 1e-3, 179.999, 180.0] {
-            let (_, warped) = v7(degrees);
+            let (_, warped, _) = v7(degrees);
             assert_eq!(warped, None, "{degrees}°");
         }
     }

@@ -14,19 +14,11 @@ const FOCUS: f64 = 0.3;
 const FARTHEST_FOCUS: f64 = 0.79;
 /// Nearer foci would leave the rest of the map next to nothing.
 const NEAREST_FOCUS: f64 = 0.01;
-/// Where the line of sight runs over less than this share of the map's length, the warp fades: light and view become
-/// parallel, and the centre line has no direction.
-const FADE: f64 = 0.3;
-
 /// How far behind the nearest receivers the line at infinity lies.
 pub(super) fn distance(along: &Along<'_>) -> Option<f64> {
     let seen = along.seen();
-    let focus = seen.start + FOCUS * (seen.end - seen.start);
-    let [start, focus, end] = [seen.start, focus, seen.end].map(|depth| along.height_at(depth));
-    let run = (end? - start?) / along.length;
-    let fade = (run / FADE).clamp(0.0, 1.0);
-    let focus = (focus? / along.length).clamp(NEAREST_FOCUS, FARTHEST_FOCUS);
-    Some(trapezoid(along.length, along.length * focus) / (fade * fade * (3.0 - 2.0 * fade)))
+    let focus = along.height_at(seen.start + FOCUS * (seen.end - seen.start))? / along.length;
+    Some(trapezoid(along.length, along.length * focus.clamp(NEAREST_FOCUS, FARTHEST_FOCUS)))
 }
 
 /// η of the paper, for a map of `length` with the focus at `focus` from the top line, below four fifths of the length.

@@ -57,7 +57,7 @@ fn ground(eye: Vec3) -> Bounds {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60000))]
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn nothing_is_nan_for_any_finite_input(
@@ -65,7 +65,7 @@ proptest! {
         fov_y in 1e-4f32..3.1, aspect in 1e-4f32..1e4, near_exponent in -30.0f32..30.0, reach_exponent in -5.0f32..30.0,
         corner in prop::array::uniform3(-1e30f32..1e30), size_exponent in -30.0f32..30.0,
         (fit, warp) in fit_and_warp(), splits in 1u32..=9, lambda in 0.0f32..=1.0, has_objects in any::<bool>(),
-        (tip, half_angle, range_exponent) in (prop::array::uniform3(-1e30f32..1e30), 1e-4f32..1.5707, -30.0f32..39.0),
+        (tip, half_angle, range_exponent) in (prop::array::uniform3(-1e30f32..1e30), 1e-4f32..1.57, -30.0f32..39.0),
         scale_exponent in -30.0f32..=0.0, unclipped_depth in any::<bool>(),
     ) {
         // All places may be near one another.

@@ -71,7 +71,7 @@ fn check(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(80000))]
+    #![proptest_config(ProptestConfig::with_cases(800))]
 
     #[test]
     fn what_is_seen_in_a_cone_lies_in_its_splits_view_and_so_do_its_casters(

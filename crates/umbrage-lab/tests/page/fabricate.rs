@@ -150,6 +150,7 @@ fn row(
         },
         error: Some(error(wrong)),
         lights: vec![],
+        aliasing: Default::default(),
         flip: Some(2.0 * wrong),
         splits: vec![],
         around_cuts: vec![],

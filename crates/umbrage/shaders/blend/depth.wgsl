@@ -7,8 +7,8 @@ fn umbrage_blend(view_index: u32, light: u32, lookup: UmbrageLookup, own: f32, r
     let share = (end - receiver.depth) / ((end - start) * UMBRAGE_BLEND);
     let next = view_index + 1u;
     if umbrage_frame.lights[light].is_cube == 1u || next >= view_end || share >= 1.0 {
-        return umbrage_faded(own, start, receiver.depth);
+        return umbrage_faded(own, light, receiver.depth);
     }
     let other = umbrage_visibility_in(next, light, receiver);
-    return umbrage_faded(mix(other, own, smoothstep(0.0, 1.0, share)), start, receiver.depth);
+    return umbrage_faded(mix(other, own, smoothstep(0.0, 1.0, share)), light, receiver.depth);
 }
