@@ -2,22 +2,23 @@
 //!
 //! Martin & Tan, *Anti-aliasing and Continuity with Trapezoidal Shadow Maps*, EGSR 2004. Paper → here: λ → `length`,
 //! δ' → the height of the focus on the map, ξ → [`LINE`], η → the distance. The trapezoid's centre line is the line of
-//! sight, and its top line lies on the nearest receivers. The paper leaves the focus to its user.
+//! sight, and its top line lies on the nearest receivers. The paper leaves the focus to its user. Here it is the depth before
+//! which four fifths of an ideal map lie, a logarithmic one: so a shallow slice is warped little, and a deep one much.
 
 use super::Along;
 
 /// Where on the map the focus comes to lie: −1 is its far end and 1 the near one, so four fifths lie before it.
 const LINE: f64 = -0.6;
-/// The focus, as a share of the view depth of what is seen.
-const FOCUS: f64 = 0.3;
 /// A focus at four fifths of the map is there already; beyond it there is nothing to warp.
 const FARTHEST_FOCUS: f64 = 0.79;
 /// Nearer foci would leave the rest of the map next to nothing.
 const NEAREST_FOCUS: f64 = 0.01;
+
 /// How far behind the nearest receivers the line at infinity lies.
 pub(super) fn distance(along: &Along<'_>) -> Option<f64> {
     let seen = along.seen();
-    let focus = along.height_at(seen.start + FOCUS * (seen.end - seen.start))? / along.length;
+    let share = 0.5 - 0.5 * LINE;
+    let focus = along.height_at(seen.start * (seen.end / seen.start).powf(share))? / along.length;
     Some(trapezoid(along.length, along.length * focus.clamp(NEAREST_FOCUS, FARTHEST_FOCUS)))
 }
 
