@@ -1,5 +1,6 @@
 //! `docs/results.md`: what frames cost with and without shadows, and what culling saves, from `umbrage bench`.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use anyhow::Context as _;
@@ -9,11 +10,15 @@ use crate::command::{root, run, umbrage};
 
 const WORLDS: &[&str] = &[
     "primitives",
+    "orbit",
     "bunny",
+    "tutorial-room",
+    "closed-room",
     "dragon",
     "brick-ground",
     "robot-war",
     "huge-chessboard",
+    "night-chessboard",
     "knights",
     "mining-terrain",
 ];
@@ -39,7 +44,9 @@ pub fn write(adapter: Option<&str>, frames: u32) -> anyhow::Result<()> {
         ("`select = \"depth\"`", bench(LARGE, &["select=depth"])?),
         ("`select = \"map\"`", bench(LARGE, &["select=map"])?),
     ];
-    let text = page(&worlds, &large, &commit).context("a key is missing in the output of `umbrage bench`")?;
+    let mut text =
+        page(&worlds, &large, &commit).context("a key is missing in the output of `umbrage bench`")?;
+    text += &planning()?;
     let path = root().join("docs/results.md");
     let draft = path.with_extension("md.new");
     std::io::Write::write_all(&mut std::fs::File::create(&draft)?, text.as_bytes())?;
@@ -55,7 +62,7 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
         "# Results\n\n\
          Written by `cargo xtask results`; do not edit.\n\n\
          Machine: {}.\nAdapter: {adapter}.\nCommit: {commit}.\nPictures of {SIZE} pixels, one sample a pixel, {frames} frames along each world's path after 5 uncounted.\n\
-         Shadows: the preset `default`, {} bytes of maps.\nPasses are timed by {clock}, frames by the wall clock.\n\
+         Shadows: the preset `default`, {} bytes of maps for a sun.\nPasses are timed by {clock}, frames by the wall clock.\n\
          Medians, with the 5th and 95th percentile in brackets.\n",
         machine(),
         first["bytes"]
@@ -102,6 +109,42 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
         .ok()?;
     }
     Some(text)
+}
+
+/// How long planning takes, technique by technique, from the criterion benches of `umbrage-core`.
+fn planning() -> anyhow::Result<String> {
+    let folder = root().join("target/criterion");
+    // What earlier benches left there may be of other techniques.
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
+    run("cargo", &["bench", "--quiet", "-p", "umbrage-core", "--bench", "plan"])?;
+    let mut techniques: BTreeMap<String, [String; 2]> = BTreeMap::new();
+    for entry in std::fs::read_dir(&folder)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        let Some((technique, contents)) = name.rsplit_once(", ") else { continue };
+        let estimates = std::fs::read_to_string(folder.join(&name).join("new/estimates.json"))?;
+        let text = microseconds(&serde_json::from_str(&estimates)?)
+            .with_context(|| format!("the estimates of {name} lack a median"))?;
+        let column = usize::from(contents != "box only");
+        techniques.entry(technique.to_owned()).or_default()[column] = text;
+    }
+    let mut text = "\n## What planning costs\n\n\
+        A frame's plan, on one core without a GPU, microseconds: the median, and its 95 % interval in brackets (`cargo bench -p umbrage-core`).\n\
+        With a thousand objects the fit looks at each of their boxes, for every view.\n\n\
+        | technique | the world's box alone | 1000 objects |\n|---|---|---|\n"
+        .to_owned();
+    for (technique, [alone, objects]) in techniques {
+        writeln!(text, "| {technique} | {alone} | {objects} |")?;
+    }
+    Ok(text)
+}
+
+/// The median of some estimates of criterion's, which are in nanoseconds.
+fn microseconds(estimates: &Value) -> Option<String> {
+    let median = &estimates["median"];
+    let [low, high] = ["lower_bound", "upper_bound"].map(|end| median["confidence_interval"][end].as_f64());
+    Some(format!("{:.1} ({:.1} to {:.1})", median["point_estimate"].as_f64()? / 1e3, low? / 1e3, high? / 1e3))
 }
 
 /// Processor, cores and system.
