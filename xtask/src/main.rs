@@ -30,6 +30,9 @@ enum Chore {
         /// Frames a world
         #[arg(long, default_value_t = 21)]
         frames: u32,
+        /// Measure planning alone, and leave the rest as it is
+        #[arg(long, conflicts_with_all = ["adapter", "frames"])]
+        planning: bool,
     },
     /// Measures the default against exact shadows and writes docs/error.md
     Error {
@@ -52,7 +55,8 @@ enum Chore {
 
 fn main() -> anyhow::Result<()> {
     match Cli::parse().chore {
-        Chore::Results { adapter, frames } => results::write(adapter.as_deref(), frames),
+        Chore::Results { planning: true, .. } => results::write_planning(),
+        Chore::Results { adapter, frames, .. } => results::write(adapter.as_deref(), frames),
         Chore::Error { adapter } => error::write(adapter.as_deref()),
         Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
         Chore::Pictures => pictures::draw(),

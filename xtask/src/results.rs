@@ -46,13 +46,28 @@ pub fn write(adapter: Option<&str>, frames: u32) -> anyhow::Result<()> {
     ];
     let mut text =
         page(&worlds, &large, &commit).context("a key is missing in the output of `umbrage bench`")?;
-    text += &planning()?;
+    text += &planning(&commit)?;
+    replace(&text)
+}
+
+/// Measures planning alone, and leaves the rest of the document as it is.
+pub fn write_planning() -> anyhow::Result<()> {
+    let commit = run("git", &["rev-parse", "--short", "HEAD"])?;
+    let old = std::fs::read_to_string(root().join("docs/results.md"))?;
+    let rest = old.split(PLANNING).next().unwrap_or_default();
+    replace(&format!("{rest}{}", planning(&commit)?))
+}
+
+fn replace(text: &str) -> anyhow::Result<()> {
     let path = root().join("docs/results.md");
     let draft = path.with_extension("md.new");
-    std::io::Write::write_all(&mut std::fs::File::create(&draft)?, text.as_bytes())?;
+    std::fs::write(&draft, text)?;
     std::fs::rename(draft, path)?;
     Ok(())
 }
+
+/// Begins the part on planning.
+const PLANNING: &str = "\n## What planning costs\n";
 
 fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<String> {
     let first = worlds.first()?;
@@ -112,7 +127,7 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
 }
 
 /// How long planning takes, technique by technique, from the criterion benches of `umbrage-core`.
-fn planning() -> anyhow::Result<String> {
+fn planning(commit: &str) -> anyhow::Result<String> {
     let folder = root().join("target/criterion");
     // What earlier benches left there may be of other techniques.
     if folder.exists() {
@@ -129,11 +144,12 @@ fn planning() -> anyhow::Result<String> {
         let column = usize::from(contents != "box only");
         techniques.entry(technique.to_owned()).or_default()[column] = text;
     }
-    let mut text = "\n## What planning costs\n\n\
-        A frame's plan, on one core without a GPU, microseconds: the median, and its 95 % interval in brackets (`cargo bench -p umbrage-core`).\n\
-        With a thousand objects the fit looks at each of their boxes, for every view.\n\n\
-        | technique | the world's box alone | 1000 objects |\n|---|---|---|\n"
-        .to_owned();
+    let mut text = format!(
+        "{PLANNING}\n\
+         A frame's plan, on one core without a GPU, microseconds: the median, and its 95 % interval in brackets (`cargo bench -p umbrage-core`).\n\
+         Commit: {commit}.\nWith a thousand objects the fit looks at each of their boxes, for every view.\n\n\
+         | technique | the world's box alone | 1000 objects |\n|---|---|---|\n"
+    );
     for (technique, [alone, objects]) in techniques {
         writeln!(text, "| {technique} | {alone} | {objects} |")?;
     }
