@@ -115,12 +115,13 @@ fn plain(html: &str) -> String {
         _ => text,
     };
     let words: Vec<&str> = text.split_whitespace().collect();
-    let text = words
-        .join(" ")
-        .replace("&#8239;", " ")
-        .replace("&amp;", "&")
-        .replace("&lt;", "<")
-        .replace("&gt;", ">");
+    let mut text = words.join(" ");
+    // An ampersand last: what it begins is no entity.
+    for (entity, letter) in
+        [("&#8239;", " "), ("&#39;", "'"), ("&quot;", "\""), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")]
+    {
+        text = text.replace(entity, letter);
+    }
     text.replace('|', "\\|")
 }
 

@@ -197,7 +197,9 @@ fn spot_splits(job: &Job<'_>, depths: Range<f32>) -> Few<f64, { MAX_SPLITS + 1 }
     let reached = if from < to { from..to } else { depths };
     // Distances that were given by hand are a sun's.
     let scheme = if settings.scheme == Scheme::Manual { Scheme::Practical } else { settings.scheme };
-    split_distances(reached, &Settings { splits: settings.spot_splits, scheme, ..settings.clone() })
+    let Settings { lambda, split_bias, near, .. } = *settings;
+    let splits = settings.spot_splits;
+    split_distances(reached, &Settings { splits, scheme, lambda, split_bias, near, ..Settings::default() })
 }
 
 /// The nearest f32, and the largest one instead of infinity.

@@ -62,6 +62,8 @@ pub struct DepthBand {
     pub false_light: f64,
     /// As in [`Error`]; `None` without edges.
     pub edge_displacement_px: Option<f64>,
+    /// Length of true edges in it, pixels.
+    pub edge_px: f64,
 }
 
 /// How a claim about a pixel is wrong.
@@ -156,6 +158,7 @@ pub(crate) fn band(truth: &Truth, edges: &Edges, visibility: &[f32], depths: Ran
         false_shadow: share(shadow),
         false_light: share(light),
         edge_displacement_px: (length > 0.0).then(|| (shadow + light) as f64 / length),
+        edge_px: length,
     }
 }
 

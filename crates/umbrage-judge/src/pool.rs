@@ -53,8 +53,7 @@ fn displacement(parts: &[Part]) -> Option<f64> {
 }
 
 impl DepthBand {
-    /// The bands of several lights; bands of the same depths become one. Edges are weighed by their wrong pixels over
-    /// their displacement, which is their length.
+    /// The bands of several lights; bands of the same depths become one.
     pub fn pooled<'a>(lights: impl Iterator<Item = &'a [Self]>) -> Vec<Self> {
         let mut pooled: Vec<Self> = Vec::new();
         for band in lights.flatten() {
@@ -68,27 +67,65 @@ impl DepthBand {
     }
 
     fn with(&self, other: &Self) -> Self {
-        let pixels = self.pixels + other.pixels;
-        let mean = |a: f64, b: f64| (a * self.pixels as f64 + b * other.pixels as f64) / pixels.max(1) as f64;
-        let edge_px = |band: &Self| match band.edge_displacement_px {
-            Some(px) if px > 0.0 => band.mis_shadowed * band.pixels as f64 / px,
-            _ => 0.0,
-        };
-        let (wrong, edges) = (
-            self.mis_shadowed * self.pixels as f64 + other.mis_shadowed * other.pixels as f64,
-            edge_px(self) + edge_px(other),
-        );
+        let (pixels, edge_px) = (self.pixels + other.pixels, self.edge_px + other.edge_px);
+        let sum = |a: f64, b: f64| a * self.pixels as f64 + b * other.pixels as f64;
+        let mean = |a: f64, b: f64| sum(a, b) / pixels.max(1) as f64;
+        let wrong = sum(self.mis_shadowed, other.mis_shadowed);
         Self {
             depths: self.depths,
             pixels,
             mis_shadowed: mean(self.mis_shadowed, other.mis_shadowed),
             false_shadow: mean(self.false_shadow, other.false_shadow),
             false_light: mean(self.false_light, other.false_light),
-            edge_displacement_px: if edges > 0.0 {
-                Some(wrong / edges)
-            } else {
-                self.edge_displacement_px.or(other.edge_displacement_px)
-            },
+            edge_displacement_px: (edge_px > 0.0).then(|| wrong / edge_px),
+            edge_px,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(mis_shadowed: f64, pixels: usize, edge_px: f64) -> Part {
+        let band = DepthBand {
+            depths: [1.0, 10.0],
+            pixels,
+            mis_shadowed,
+            false_shadow: mis_shadowed,
+            false_light: 0.0,
+            edge_displacement_px: (edge_px > 0.0).then(|| mis_shadowed * pixels as f64 / edge_px),
+            edge_px,
+        };
+        let error = Error {
+            mis_shadowed,
+            false_shadow: mis_shadowed,
+            false_light: 0.0,
+            rmse: mis_shadowed.sqrt(),
+            mae: mis_shadowed,
+            bias: -mis_shadowed,
+            edge_displacement_px: band.edge_displacement_px,
+            hausdorff_95_px: None,
+            causes: Causes { edge: mis_shadowed, ..Causes::default() },
+            decades: vec![band],
+        };
+        Part { error, pixels, edge_px }
+    }
+
+    #[test]
+    fn every_pixel_and_every_edge_counts_once_also_of_a_light_that_is_right() {
+        let pooled = Error::pooled(&[part(0.0, 300, 100.0), part(0.5, 100, 100.0)]).unwrap();
+        assert_eq!((pooled.mis_shadowed, pooled.edge_displacement_px), (0.125, Some(0.25)));
+        assert_eq!(pooled.causes.edge, 0.125);
+        assert!((pooled.rmse - 0.125f64.sqrt()).abs() < 1e-12, "{}", pooled.rmse);
+        assert_eq!(pooled.decades.len(), 1);
+        assert_eq!((pooled.decades[0].pixels, pooled.decades[0].edge_displacement_px), (400, Some(0.25)));
+    }
+
+    #[test]
+    fn one_light_is_itself_and_none_is_nothing() {
+        let alone = part(0.25, 80, 40.0);
+        assert_eq!(Error::pooled(std::slice::from_ref(&alone)), Some(alone.error));
+        assert_eq!(Error::pooled(&[]), None);
     }
 }

@@ -14,11 +14,11 @@ use umbrage_judge::{Pixel, Receiver, Truth};
 pub struct Aliasing {
     /// Of each pixel, the texel that its shadow is read from; `None` where no map serves it, or its surface is edge-on.
     pub extents: Vec<Option<TexelExtent>>,
-    /// The sums of it.
-    pub summary: AliasingSummary,
+    /// The sums of it; `None` where no pixel reads a map.
+    pub summary: Option<AliasingSummary>,
 }
 
-/// What can be said of a picture's texels in a few numbers. Pixels count whose shadows are judged.
+/// What can be said of a picture's texels in a few numbers. Pixels count whose shadows can be seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct AliasingSummary {
     /// Of the longest extent of a texel, pixels: the median over the picture.
@@ -31,7 +31,7 @@ pub struct AliasingSummary {
     pub under_sampled: f64,
     /// Share of pixels whose texel is shorter than half a pixel, its longer way.
     pub over_sampled: f64,
-    /// Distinct texels that are read, of all texels that there are.
+    /// Distinct texels that are read, of all that the light has.
     pub utilisation: f64,
 }
 
@@ -51,7 +51,8 @@ impl Aliasing {
         let texels: HashSet<[i64; 3]> = reads.iter().flatten().map(|read| read.texel).collect();
         let extents: Vec<Option<TexelExtent>> =
             reads.into_iter().map(|read| read.and_then(|read| read.extent)).collect();
-        let all: u64 = plan.views().iter().map(|view| u64::from(view.tile.size).pow(2)).sum();
+        let views = plan.views().iter().filter(|view| view.light == light);
+        let all: u64 = views.map(|view| u64::from(view.tile.size).pow(2)).sum();
         let summary = AliasingSummary::new(&extents, texels.len() as f64 / all.max(1) as f64);
         Self { extents, summary }
     }
@@ -90,7 +91,7 @@ impl Read {
 }
 
 impl AliasingSummary {
-    fn new(extents: &[Option<TexelExtent>], utilisation: f64) -> Self {
+    fn new(extents: &[Option<TexelExtent>], utilisation: f64) -> Option<Self> {
         let mut longest: Vec<f64> = extents.iter().flatten().map(|extent| extent.largest).collect();
         longest.sort_by(f64::total_cmp);
         let at = |share: f64| {
@@ -101,14 +102,14 @@ impl AliasingSummary {
             let count = extents.iter().flatten().filter(|extent| is_so(extent)).count();
             count as f64 / longest.len().max(1) as f64
         };
-        Self {
+        (!longest.is_empty()).then(|| Self {
             median_px: at(0.5),
             p95_px: at(0.95),
             max_px: at(1.0),
             under_sampled: share(|extent| extent.largest > 1.0),
             over_sampled: share(|extent| extent.largest < 0.5),
             utilisation,
-        }
+        })
     }
 }
 
@@ -141,11 +142,10 @@ mod tests {
     #[test]
     fn sums_are_those_of_the_pixels_that_have_texels() {
         let extents = [extent(0.25), None, extent(0.75), extent(4.0), extent(2.0), extent(0.25)];
-        let summary = AliasingSummary::new(&extents, 0.5);
+        let summary = AliasingSummary::new(&extents, 0.5).unwrap();
         assert_eq!((summary.median_px, summary.max_px), (0.75, 4.0));
         assert_eq!((summary.under_sampled, summary.over_sampled, summary.utilisation), (0.4, 0.4, 0.5));
-        let nothing = AliasingSummary::new(&[None, None], 0.0);
-        assert_eq!((nothing.median_px, nothing.under_sampled), (0.0, 0.0), "no division by zero");
+        assert_eq!(AliasingSummary::new(&[None, None], 0.0), None, "no division by zero");
     }
 
     #[test]

@@ -102,12 +102,17 @@ impl Figure {
 
     /// Whether it needs pixels that are judged.
     pub fn is_of_judged_pixels(&self) -> bool {
-        self.key.starts_with("error.") || matches!(self.key, "flip" | "jump")
+        let is_of_pixels = self.key.starts_with("error.") || self.key.starts_with("aliasing.");
+        is_of_pixels || matches!(self.key, "flip" | "jump")
     }
 
     /// Whether less of it is better. Not so of what describes the world, and of what is best in the middle.
     pub fn is_better_lower(&self) -> bool {
-        !self.key.starts_with("truth.") && !matches!(self.key, "error.bias" | "jump")
+        let is_best_elsewhere = matches!(
+            self.key,
+            "error.bias" | "jump" | "aliasing.median_px" | "aliasing.over_sampled" | "aliasing.utilisation"
+        );
+        !self.key.starts_with("truth.") && !is_best_elsewhere
     }
 
     /// Its label with its unit, as columns and axes are headed.

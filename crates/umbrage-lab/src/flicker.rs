@@ -10,7 +10,7 @@ use umbrage::Settings;
 use umbrage_judge::temporal::{Anchor, Flicker, Seen, anchors, visibility};
 use umbrage_judge::{Eye, Light};
 use umbrage_render::{Frame, Show};
-use umbrage_scene::{Camera, Instance};
+use umbrage_scene::{Camera, Instance, LightKind};
 
 use crate::cell::Motion;
 use crate::error::LabError;
@@ -56,9 +56,19 @@ impl Laboratory<'_> {
             let missing = || LabError::Missing { what: "light".to_owned(), world: shot.camera.name.clone() };
             Ok::<_, LabError>(Light::at(shot.lights.first().ok_or_else(missing)?, shot.seconds))
         };
-        if motion == Motion::Objects && !self.scene().instances.iter().any(Instance::is_dynamic) {
-            let (what, world) = ("moving things".to_owned(), self.scene().name.clone());
-            return Err(LabError::Missing { what, world });
+        let missing =
+            |what: &str| LabError::Missing { what: what.to_owned(), world: self.scene().name.clone() };
+        let is_moving = || {
+            let scene = self.scene();
+            let lights = shot.lights.iter().any(|light| light.motion != umbrage_scene::Motion::Still);
+            lights || scene.instances.iter().any(Instance::is_dynamic)
+        };
+        if motion == Motion::Objects && !is_moving() {
+            return Err(missing("moving things"));
+        }
+        let is_point = |light: &umbrage_scene::Light| matches!(light.kind, LightKind::Point { .. });
+        if motion == Motion::Sun && shot.lights.first().is_some_and(is_point) {
+            return Err(missing("light that can turn"));
         }
         let world = self.world_at(shot.seconds);
         // Where the camera begins, is half-way, and ends.

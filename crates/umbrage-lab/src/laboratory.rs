@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use rayon::prelude::*;
-use umbrage::{Settings, ShadowPlan};
+use umbrage::{Rays, Settings, ShadowPlan};
 use umbrage_judge::statistics::Spread;
 use umbrage_judge::{
     Claim, DepthBand, Edges, Error, Eye, Light, Part, Pixel, Receiver, Smooth, Truth, World,
@@ -150,7 +150,10 @@ impl<'a> Laboratory<'a> {
                 let texel_metres = texel_metres(&plan, settings, light, &traced.truth);
                 let claim = Claim { visibility, texel_metres: &texel_metres };
                 let aliasing = Aliasing::new(&plan, settings, light, &traced.truth);
-                Judgement::new(&world, traced, &claim, plan.splits(), aliasing)
+                // Lamps' views are cut elsewhere, or not at all.
+                let is_sun = matches!(plan.lights()[light].rays, Rays::Directional { .. });
+                let cuts = if is_sun { plan.splits() } else { &[] };
+                Judgement::new(&world, traced, &claim, cuts, aliasing)
             })
             .collect();
         let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
@@ -175,10 +178,11 @@ impl<'a> Laboratory<'a> {
                 ambiguous: traced.iter().map(|traced| traced.truth.count(Pixel::Ambiguous)).sum(),
                 shadowed: traced.iter().map(|traced| traced.truth.count(Pixel::Shadowed)).sum(),
                 edge_px: sum(|traced| traced.edges.length()),
-                standard_error: sum(Traced::mean_error) / traced.len().max(1) as f64,
+                standard_error: sum(|traced| traced.mean_error() * traced.truth.judged() as f64)
+                    / sum(|traced| traced.truth.judged() as f64).max(1.0),
             },
             error,
-            aliasing: judgements.first().map(|of| of.aliasing.summary).unwrap_or_default(),
+            aliasing: judgements.first().and_then(|of| of.aliasing.summary),
             lights: shot.lights.iter().zip(&judgements).map(|(light, of)| of.measured(&light.name)).collect(),
             flip,
             splits: DepthBand::pooled(judgements.iter().map(|judgement| judgement.splits.as_slice())),

@@ -35,8 +35,8 @@ pub struct Measurement {
     pub error: Option<Error>,
     /// The same light by light.
     pub lights: Vec<MeasuredLight>,
-    /// How large the first light's texels look.
-    pub aliasing: AliasingSummary,
+    /// How large the first light's texels look; absent where none is read.
+    pub aliasing: Option<AliasingSummary>,
     /// FLIP between the shaded picture and the same picture with true shadows; absent where no pixel is judged.
     pub flip: Option<f64>,
     /// What is wrong in each split's slice of depth. With `select = "map"` a finer view may have served part of it.
@@ -60,8 +60,8 @@ pub struct MeasuredLight {
     pub truth: TruthCounts,
     /// How wrong its shadows are; absent where it shines on nothing in sight.
     pub error: Option<Error>,
-    /// How large its texels look.
-    pub aliasing: AliasingSummary,
+    /// How large its texels look; absent where none is read.
+    pub aliasing: Option<AliasingSummary>,
 }
 
 /// What the truth says of a picture; of several lights, of all together.

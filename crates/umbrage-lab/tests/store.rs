@@ -53,6 +53,7 @@ fn outcome(cell: &Cell) -> Outcome {
         false_shadow: f64::from_bits(1),
         false_light: -0.0,
         edge_displacement_px: None,
+        edge_px: 0.1 + 0.2,
     };
     let spread = Spread { median: 0.1, p5: 1e-300, p95: 2.0 / 3.0 };
     let frames = numbers(8);

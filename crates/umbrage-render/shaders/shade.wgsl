@@ -90,7 +90,7 @@ fn visibility_at(lamp: u32, receiver: Receiver, normal: vec3f) -> f32 {
     }
     if scene.asked == 2u {
         let pixel = vec2u(receiver.clip.xy);
-        return f32(given[pixel.y * scene.width + pixel.x] >> lamp & 1u);
+        return f32((given[pixel.y * scene.width + pixel.x] >> lamp) & 1u);
     }
     return umbrage_light_visibility(lamp, scene.eye + receiver.from_eye, normal, receiver.clip.xy);
 }

@@ -21,20 +21,24 @@ pub fn camera(camera: &umbrage_scene::Camera, aspect: f32) -> Result<Camera, Ren
 /// A scene's light as it is at a time.
 ///
 /// # Errors
-/// When it cannot shine: a direction without length, a spot of no angle or of 180° and more, no range.
+/// When it cannot shine: a direction without length, a spot of no angle, no range.
 pub fn lamp(light: &umbrage_scene::Light, seconds: f32) -> Result<Lamp, RenderError> {
     let world_from_light = light.world_from_light_at(seconds);
     let (position, direction) = (world_from_light.w_axis.truncate(), -world_from_light.z_axis.truncate());
     let (shadows, cone) = match light.kind {
         LightKind::Directional => (Light::directional(direction)?, [0.0; 2]),
         LightKind::Spot { inner, outer, range } => {
-            (Light::spot(position, direction, outer, range)?, [inner, outer])
+            let outer = outer.min(WIDEST_HALF_ANGLE);
+            (Light::spot(position, direction, outer, range)?, [inner.min(outer), outer])
         }
         LightKind::Point { range } => (Light::point(position, range)?, [0.0; 2]),
     };
     let strength = if light.kind == LightKind::Directional { SUN_LIGHT } else { light.intensity };
     Ok(Lamp { light: shadows, colour: light.colour * strength, cone })
 }
+
+/// A file's spot may shine on half of the world; no one map holds that, and the last tenth of a degree is given up.
+const WIDEST_HALF_ANGLE: f32 = std::f32::consts::FRAC_PI_2 - 1e-3;
 
 /// The light of any sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
 const SUN_LIGHT: f32 = 2.6;

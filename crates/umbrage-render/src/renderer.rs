@@ -182,6 +182,7 @@ impl<'a> Renderer<'a> {
         let (casters, shade) = self.timer.finish(self.gpu)?.unwrap_or(by_clock);
         let times = FrameTimes { plan: milliseconds(planned), casters, shade, frame: milliseconds(done) };
         let load = |(view, draws): (&umbrage::ShadowView, &Vec<Draw>)| ViewLoad {
+            light: view.light,
             split: view.split,
             draws: draws.len(),
             triangles: draws.iter().map(Draw::triangles).sum(),

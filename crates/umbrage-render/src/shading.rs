@@ -234,7 +234,7 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
         direction_to_sun: sun.map_or(Vec3::NEG_Y, |sun| sun.light.direction_from(Vec3::ZERO)),
         tint: f32::from(u8::from(frame.show == Show::Splits)),
         sun: sun.map_or(Vec3::ZERO, |sun| sun.colour),
-        lamp_count: frame.lamps.len() as u32,
+        lamp_count: frame.lamps.len().min(MAX_LIGHTS) as u32,
         shown_lamp: if let Show::Visibility(lamp) = frame.show { lamp as u32 } else { 0 },
         width: frame.width,
         daylight: if sun.is_some() { 1.0 } else { NIGHT },

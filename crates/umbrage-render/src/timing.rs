@@ -21,7 +21,9 @@ pub struct FrameTimes {
 /// What was drawn into one shadow view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ViewLoad {
-    /// Which split.
+    /// Whose view it is.
+    pub light: usize,
+    /// Which split, or which face of a cube.
     pub split: usize,
     /// Draw calls.
     pub draws: usize,

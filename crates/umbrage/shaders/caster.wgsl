@@ -21,8 +21,8 @@ fn umbrage_caster_position(world_position: vec3f) -> vec4f {
     if all(w_row == vec3f(0.0)) {
         return vec4f(round(turned.xy * grid) / grid + m[3].xy, clip.zw);
     }
-    // What is far outside is clipped, and f32 has no such grid there.
-    if any(abs(clip.xy) > vec2f(8.0 * clip.w)) {
+    // What is far outside, or behind the light, is clipped; f32 has no such grid there.
+    if clip.w <= 0.0 || any(abs(clip.xy) > vec2f(8.0 * clip.w)) {
         return clip;
     }
     return vec4f(round(clip.xy / clip.w * grid) / grid * clip.w, clip.zw);

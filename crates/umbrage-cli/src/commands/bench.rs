@@ -47,6 +47,7 @@ struct Baselines {
 
 #[derive(Serialize)]
 struct View {
+    light: usize,
     split: usize,
     draws: usize,
     triangles: u64,
@@ -124,8 +125,8 @@ fn along_path(shot: &Shot, scene: &Scene, args: &BenchArgs, share: f32) -> Outco
 }
 
 fn view(load: ViewLoad) -> View {
-    let ViewLoad { split, draws, triangles } = load;
-    View { split, draws, triangles }
+    let ViewLoad { light, split, draws, triangles } = load;
+    View { light, split, draws, triangles }
 }
 
 fn text(report: &Report<'_>) -> String {
@@ -135,8 +136,8 @@ fn text(report: &Report<'_>) -> String {
         "{world}: {triangles} triangles, {width} x {height}, {frames} frames on {adapter}\n{bytes} bytes of shadow maps; passes by {clock}\n"
     );
     text += &table(&report.milliseconds);
-    for View { split, draws, triangles } in &report.views {
-        text += &format!("split {split}: {draws} draws, {triangles} triangles\n");
+    for View { light, split, draws, triangles } in &report.views {
+        text += &format!("light {light} split {split}: {draws} draws, {triangles} triangles\n");
     }
     if let Some(Baselines { no_shadows, no_culling }) = &report.baselines {
         text +=

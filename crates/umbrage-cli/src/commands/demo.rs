@@ -125,9 +125,23 @@ fn column(
     renderer.render(&smooth(Show::Splits)?)?;
     let tinted = image_of(renderer.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
-    let Judged { heat_map, true_picture, .. } = judged;
+    let Judged { heat_map, true_picture, plan: judged_plan, .. } = judged;
     let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);
-    Ok(Column { title: format!("{what} ({preset})"), shadowed, wrong, tinted, maps, words, truth })
+    // Words and splits are a sun's.
+    let title = match main_rays(&judged_plan) {
+        Some(Rays::Directional { .. }) => format!("{what} ({preset})"),
+        _ => format!("{} ({preset})", views_text(&judged_plan)),
+    };
+    Ok(Column { title, shadowed, wrong, tinted, maps, words, truth })
+}
+
+fn main_rays(plan: &ShadowPlan) -> Option<Rays> {
+    plan.lights().first().map(|light| light.rays)
+}
+
+fn views_text(plan: &ShadowPlan) -> String {
+    let views = plan.views().len();
+    format!("{views} shadow map{}", if views == 1 { "" } else { "s" })
 }
 
 /// What a technique does, how wrong it is, and what it costs.
@@ -145,9 +159,9 @@ fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> 
     let edges =
         error.edge_displacement_px.map_or_else(String::new, |px| format!("; edges off by {px:.2} pixels"));
     Ok(vec![
-        match plan.lights().first().map(|light| light.rays) {
+        match main_rays(plan) {
             Some(Rays::Directional { .. }) => format!("splits {} m", splits_text(plan.splits())),
-            _ => format!("{} views", plan.views().len()),
+            _ => views_text(plan),
         },
         format!("a texel is {} m", texels.join(", ")),
         format!("{} of pixels wrongly shadowed or lit{edges}", percent(error.mis_shadowed)),

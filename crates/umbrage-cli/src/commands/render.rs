@@ -53,7 +53,10 @@ pub fn run(args: &RenderArgs) -> Outcome {
 /// Writes how large texels look, and says it in a few numbers.
 fn write_aliasing(path: &Path, gpu: &Gpu, scene: &Scene, shot: &Shot, settings: &Settings) -> Outcome {
     let Aliasing { extents, summary } = Laboratory::new(gpu, scene)?.aliasing(shot, settings, 0)?;
-    let AliasingSummary { median_px, p95_px, max_px, under_sampled, over_sampled, utilisation } = summary;
+    let nothing =
+        || anyhow::anyhow!("no texels to look at: the camera sees nothing that the light could reach");
+    let AliasingSummary { median_px, p95_px, max_px, under_sampled, over_sampled, utilisation } =
+        summary.ok_or_else(nothing)?;
     output::write_png(path, shot.width, shot.height, &heat_map(&extents), ExtendedColorType::Rgba8)?;
     output::print(&format!(
         "a texel is {median_px:.2} pixels long in the median, {p95_px:.2} at the 95th percentile, {max_px:.2} at most\n\
