@@ -7,14 +7,18 @@ use anyhow::Context as _;
 
 use crate::command::{root, umbrage};
 
-/// The experiments whose claims are told, in order.
-const EXPERIMENTS: [&str; 3] = ["zhang-table-1", "dueling-frusta", "zhang-figure-8"];
+/// The experiments whose claims are told, in order, each with what it comes to.
+const EXPERIMENTS: [(&str, &str); 3] = [
+    ("zhang-table-1", include_str!("claims/zhang-table-1.md")),
+    ("dueling-frusta", include_str!("claims/dueling-frusta.md")),
+    ("zhang-figure-8", include_str!("claims/zhang-figure-8.md")),
+];
 const FOLDER: &str = "target/report";
 
 /// Runs the experiments, unless `pages` is a folder that has their pages already, and writes the document.
 pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
     if pages.is_none() {
-        for name in EXPERIMENTS {
+        for (name, _) in EXPERIMENTS {
             let experiment = format!("experiments/{name}.toml");
             let mut args = vec!["report", &experiment, "-o", FOLDER];
             args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
@@ -28,10 +32,10 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
         A ratio is the mean over jittered cameras, both ways drawn from the same one, with half its 95 % interval. \
         A claim holds where the whole interval is at most what is claimed.\n"
         .to_owned();
-    for name in EXPERIMENTS {
+    for (name, found) in EXPERIMENTS {
         let page = std::fs::read_to_string(folder.join(format!("{name}.html")))
             .with_context(|| format!("no page {name}.html in {}", folder.display()))?;
-        text += &chapter(name, &page).with_context(|| format!("the page of {name} lacks a part"))?;
+        text += &chapter(name, found, &page).with_context(|| format!("the page of {name} lacks a part"))?;
     }
     let path = root().join("docs/claims.md");
     let draft = path.with_extension("md.new");
@@ -41,8 +45,9 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
 }
 
 /// One experiment: its claims, its figures, and what it was made with.
-fn chapter(name: &str, page: &str) -> Option<String> {
-    let mut text = format!("\n## {}\n\n`experiments/{name}.toml`\n", plain(between(page, "<h1>", "</h1>")?));
+fn chapter(name: &str, found: &str, page: &str) -> Option<String> {
+    let title = plain(between(page, "<h1>", "</h1>")?);
+    let mut text = format!("\n## {title}\n\n`experiments/{name}.toml`\n\n{}\n", found.trim());
     let claims = section(page, "claims")?;
     for article in claims.split("<article").skip(1) {
         let heading = between(article, "<h3>", "</h3>")?;
@@ -143,8 +148,8 @@ mod tests {
         let page = "<h1>Four &amp; one</h1><section id=\"claims\"><article class=\"claim\"><h3><span class=\"badge\">holds\
                     </span> Four are better.</h3><table><tr><th>world</th></tr></table></article></section>\
                     <section id=\"table\"><table></table></section><section id=\"machines\"></section>";
-        let text = chapter("zhang-table-1", page).unwrap_or_default();
-        assert!(text.contains("## Four & one") && text.contains("**Four are better.** — holds"), "{text}");
-        assert_eq!(chapter("x", "<h1>only a title</h1>"), None);
+        let text = chapter("zhang-table-1", "Four are.", page).unwrap_or_default();
+        assert!(text.contains("## Four & one") && text.contains("Four are.") && text.contains("**Four are better.** — holds"), "{text}");
+        assert_eq!(chapter("x", "", "<h1>only a title</h1>"), None);
     }
 }
