@@ -149,7 +149,12 @@ mod tests {
                     </span> Four are better.</h3><table><tr><th>world</th></tr></table></article></section>\
                     <section id=\"table\"><table></table></section><section id=\"machines\"></section>";
         let text = chapter("zhang-table-1", "Four are.", page).unwrap_or_default();
-        assert!(text.contains("## Four & one") && text.contains("Four are.") && text.contains("**Four are better.** — holds"), "{text}");
+        assert!(
+            text.contains("## Four & one")
+                && text.contains("Four are.")
+                && text.contains("**Four are better.** — holds"),
+            "{text}"
+        );
         assert_eq!(chapter("x", "", "<h1>only a title</h1>"), None);
     }
 }
