@@ -3,19 +3,17 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use rayon::prelude::*;
-use umbrage::{Rays, Settings, ShadowPlan};
+use umbrage::{Settings, ShadowPlan};
 use umbrage_judge::statistics::Spread;
-use umbrage_judge::{
-    Claim, DepthBand, Edges, Error, Eye, Light, Part, Pixel, Receiver, Smooth, Truth, World,
-};
+use umbrage_judge::{DepthBand, Edges, Error, Eye, Light, Part, Pixel, Truth, World};
 use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
 use umbrage_scene::{Camera, Scene};
 
 use crate::aliasing::Aliasing;
 use crate::error::LabError;
-use crate::heat::{Wrongness, heat_map};
-use crate::measurement::{MeasuredLight, Measurement, Milliseconds, TruthCounts};
+use crate::heat::heat_map;
+use crate::judgement::{Judgement, Traced, pooled, wrongness};
+use crate::measurement::{Measurement, Milliseconds};
 
 /// A picture to take.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,13 +83,6 @@ struct TruthKey {
     distance: f64,
 }
 
-#[derive(Debug)]
-struct Traced {
-    truth: Truth,
-    edges: Edges,
-    smooth: Option<Smooth>,
-}
-
 impl<'a> Laboratory<'a> {
     /// Uploads a scene. The tree for tracing is built when it is first needed.
     ///
@@ -147,13 +138,7 @@ impl<'a> Laboratory<'a> {
             .zip(traced.iter())
             .enumerate()
             .map(|(light, (visibility, traced))| {
-                let texel_metres = texel_metres(&plan, settings, light, &traced.truth);
-                let claim = Claim { visibility, texel_metres: &texel_metres };
-                let aliasing = Aliasing::new(&plan, settings, light, &traced.truth);
-                // Lamps' views are cut elsewhere, or not at all.
-                let is_sun = matches!(plan.lights()[light].rays, Rays::Directional { .. });
-                let cuts = if is_sun { plan.splits() } else { &[] };
-                Judgement::new(&world, traced, &claim, cuts, aliasing)
+                Judgement::new(&world, &plan, settings, light, traced, visibility)
             })
             .collect();
         let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
@@ -162,7 +147,6 @@ impl<'a> Laboratory<'a> {
         let flip = umbrage_judge::flip_mean(shot.width, shot.height, &true_picture.rgba, &shaded.rgba)
             .filter(|_| error.is_some());
         let layout = plan.layout();
-        let sum = |of: fn(&Traced) -> f64| traced.iter().map(of).sum::<f64>();
         let measurement = Measurement {
             world: self.scene.name.clone(),
             triangles: self.scene.triangles(),
@@ -173,14 +157,7 @@ impl<'a> Laboratory<'a> {
             settings: settings.clone(),
             texels: layout.texels(),
             bytes: layout.bytes(),
-            truth: TruthCounts {
-                pixels: traced.iter().map(|traced| traced.truth.judged()).sum(),
-                ambiguous: traced.iter().map(|traced| traced.truth.count(Pixel::Ambiguous)).sum(),
-                shadowed: traced.iter().map(|traced| traced.truth.count(Pixel::Shadowed)).sum(),
-                edge_px: sum(|traced| traced.edges.length()),
-                standard_error: sum(|traced| traced.mean_error() * traced.truth.judged() as f64)
-                    / sum(|traced| traced.truth.judged() as f64).max(1.0),
-            },
+            truth: pooled(&judgements),
             error,
             aliasing: judgements.first().and_then(|of| of.aliasing.summary),
             lights: shot.lights.iter().zip(&judgements).map(|(light, of)| of.measured(&light.name)).collect(),
@@ -322,94 +299,7 @@ impl Milliseconds {
     }
 }
 
-/// What one light's shadows came to.
-struct Judgement {
-    part: Option<Part>,
-    counts: TruthCounts,
-    splits: Vec<DepthBand>,
-    around_cuts: Vec<[DepthBand; 2]>,
-    aliasing: Aliasing,
-}
-
-impl Judgement {
-    fn new(world: &World, traced: &Traced, claim: &Claim<'_>, splits: &[f64], aliasing: Aliasing) -> Self {
-        let Traced { truth, edges, smooth } = traced;
-        let counts = TruthCounts {
-            pixels: truth.judged(),
-            ambiguous: truth.count(Pixel::Ambiguous),
-            shadowed: truth.count(Pixel::Shadowed),
-            edge_px: edges.length(),
-            standard_error: traced.mean_error(),
-        };
-        let error = Error::new(world, truth, edges, smooth.as_ref(), claim);
-        Self {
-            part: error.map(|error| Part { error, pixels: counts.pixels, edge_px: counts.edge_px }),
-            counts,
-            splits: DepthBand::between(truth, edges, claim, splits),
-            around_cuts: around_cuts(truth, edges, claim, splits),
-            aliasing,
-        }
-    }
-
-    fn measured(&self, name: &str) -> MeasuredLight {
-        let error = self.part.as_ref().map(|part| part.error.clone());
-        MeasuredLight { name: name.to_owned(), truth: self.counts, error, aliasing: self.aliasing.summary }
-    }
-}
-
-impl Traced {
-    /// The mean standard error over judged pixels; 0 without any.
-    fn mean_error(&self) -> f64 {
-        let Some(smooth) = &self.smooth else { return 0.0 };
-        let pixels = self.truth.pixels.iter().zip(&smooth.standard_error);
-        let sum: f64 =
-            pixels.filter(|(pixel, _)| pixel.is_judged()).map(|(_, error)| f64::from(*error)).sum();
-        sum / self.truth.judged().max(1) as f64
-    }
-}
-
-/// What is claimed of each pixel, against the truth: of its lights, the first that is wrong.
-fn wrongness(traced: &[Traced], visibility: &[Vec<f32>]) -> Vec<Wrongness> {
-    let of_light =
-        |traced: &Traced, visibility: &[f32], i: usize| match (traced.truth.pixels[i], visibility[i] < 0.5) {
-            (Pixel::Lit, true) => Wrongness::FalseShadow,
-            (Pixel::Shadowed, false) => Wrongness::FalseLight,
-            (pixel, _) if pixel.is_judged() => Wrongness::Right,
-            _ => Wrongness::NotJudged,
-        };
-    let pixels = traced.first().map_or(0, |traced| traced.truth.pixels.len());
-    let worst = |i: usize| {
-        let all =
-            || traced.iter().zip(visibility).map(|(traced, visibility)| of_light(traced, visibility, i));
-        let wrong = |of: &Wrongness| matches!(of, Wrongness::FalseShadow | Wrongness::FalseLight);
-        all().find(wrong).or_else(|| all().find(|of| *of == Wrongness::Right)).unwrap_or(Wrongness::NotJudged)
-    };
-    (0..pixels).map(worst).collect()
-}
-
 /// Visibility of every pixel, from its grey.
 fn grey(picture: &Picture) -> Vec<f32> {
     picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect()
-}
-
-/// The size of the texels that each pixel is read from, on a plane there that faces the light.
-fn texel_metres(plan: &ShadowPlan, settings: &Settings, light: usize, truth: &Truth) -> Vec<f32> {
-    let size = |receiver: &Receiver| {
-        let (position, normal) = (receiver.position.as_vec3(), receiver.normal.as_vec3());
-        let view = umbrage::view_of(plan, settings, light, position, normal);
-        view.map_or(0.0, |view| view.texel_at(position).texel_metres())
-    };
-    truth.receivers.par_iter().map(|receiver| receiver.as_ref().map_or(0.0, size)).collect()
-}
-
-/// What is wrong within a quarter of each inner cut's depth, before and after it.
-fn around_cuts(truth: &Truth, edges: &Edges, claim: &Claim<'_>, splits: &[f64]) -> Vec<[DepthBand; 2]> {
-    let inner = splits.iter().skip(1).take(splits.len().saturating_sub(2));
-    inner
-        .map(|cut| [[0.75 * cut, *cut], [*cut, 1.25 * cut]])
-        .filter_map(|sides| {
-            let [before, after] = sides.map(|side| DepthBand::between(truth, edges, claim, &side).pop());
-            Some([before?, after?])
-        })
-        .collect()
 }

@@ -21,6 +21,7 @@ mod cell;
 mod error;
 mod experiment;
 mod flicker;
+mod judgement;
 mod laboratory;
 mod measure;
 mod measurement;
