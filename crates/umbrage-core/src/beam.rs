@@ -57,7 +57,7 @@ impl Beam {
             Rays::Point { position, range } => {
                 // Lookups reach over a face's edge: so many texels around it belong to the neighbours' rays.
                 let texels = f64::from(resolution);
-                let guard = (reach_texels(&settings.bias, settings.filter) + 1.0).min(texels / 4.0);
+                let guard = (reach_texels(&settings.bias, &settings.filter) + 1.0).min(texels / 4.0);
                 let half_side = texels / (texels - 2.0 * guard);
                 let face = Pyramid::new(
                     position.as_dvec3(),

@@ -12,28 +12,19 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::filter::Filter;
 use crate::footing::Footing;
-use crate::settings::{Bias, Filter, Settings, Warp};
-
-/// How far a lookup reaches from its centre, in texels: a nearest lookup half a texel, hardware 2×2 one texel, N×N of
-/// those N/2 + ½.
-pub fn kernel_half_width_texels(filter: Filter) -> f32 {
-    match filter {
-        Filter::Hard {} => 0.5,
-        Filter::Bilinear {} => 1.0,
-        Filter::Pcf { size } => 0.5 * size as f32 + 0.5,
-    }
-}
-
-/// How far along the normal a receiver is moved, in texels: see [`Footing::lift`].
-pub fn normal_offset_texels(bias: &Bias, filter: Filter) -> f32 {
-    bias.normal * kernel_half_width_texels(filter)
-}
+use crate::settings::{Bias, Settings, Warp};
 
 /// How far from a receiver its lookups may end, in texels: the offset and the corner of the kernel.
-pub(crate) fn reach_texels(bias: &Bias, filter: Filter) -> f64 {
-    let corner = std::f64::consts::SQRT_2 * f64::from(kernel_half_width_texels(filter));
-    corner + std::f64::consts::SQRT_2 * f64::from(normal_offset_texels(bias, filter))
+pub(crate) fn reach_texels(bias: &Bias, filter: &Filter) -> f64 {
+    std::f64::consts::SQRT_2 * (f64::from(filter.reach_texels()) + largest_offset_texels(bias, filter))
+}
+
+/// How far along the normal a receiver is moved at most, in texels: see [`Footing::lift`].
+fn largest_offset_texels(bias: &Bias, filter: &Filter) -> f64 {
+    // The smaller the texel, the more of them a width in metres is, up to its limit.
+    f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE))
 }
 
 /// What a lookup at one receiver is moved by.
@@ -60,7 +51,9 @@ pub enum Reference {
 impl Settings {
     /// What texels are compared with under these settings.
     pub fn reference(&self) -> Reference {
-        if self.bias.receiver_plane {
+        if self.filter.moments(1.0).is_some() {
+            Reference::Own
+        } else if self.bias.receiver_plane {
             Reference::Plane
         } else if self.warp != Warp::None || self.filter == (Filter::Hard {}) {
             Reference::Facing
@@ -75,13 +68,14 @@ impl Settings {
         let cosine = normal.dot(to_light).clamp(0.0, 1.0);
         let sine = (1.0 - cosine * cosine).sqrt();
         let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
-        let texels = normal_offset_texels(bias, self.filter);
+        let texel_metres = footing.texel_metres();
+        let texels = bias.normal * self.filter.offset_reach_texels(texel_metres);
         BiasMetres {
             along_normal: match self.reference() {
                 Reference::Plane | Reference::Facing => footing.lift(normal, texels),
                 Reference::Own => footing.lift_over_stored(normal, to_light, texels),
             },
-            toward_light: bias.constant + bias.slope * footing.texel_metres() * tangent,
+            toward_light: bias.constant + bias.slope * texel_metres * tangent,
         }
     }
 
@@ -101,14 +95,14 @@ impl Settings {
 pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 
 /// How far along the light a receiver's plane may lie from the receiver within its lookups' reach, in texels.
-pub(crate) fn plane_reach_texels(bias: &Bias, filter: Filter) -> f64 {
-    let corner = std::f64::consts::SQRT_2 * f64::from(kernel_half_width_texels(filter));
+pub(crate) fn plane_reach_texels(bias: &Bias, filter: &Filter) -> f64 {
+    let corner = std::f64::consts::SQRT_2 * f64::from(filter.reach_texels());
     if bias.receiver_plane { corner * f64::from(Footing::STEEPEST_PLANE) } else { 0.0 }
 }
 
 /// How far toward the light what is compared may lie from its receiver, at most, metres.
-pub(crate) fn largest_bias(bias: &Bias, filter: Filter, texel_metres: f64) -> f64 {
-    std::f64::consts::SQRT_2 * f64::from(normal_offset_texels(bias, filter)) * texel_metres
+pub(crate) fn largest_bias(bias: &Bias, filter: &Filter, texel_metres: f64) -> f64 {
+    std::f64::consts::SQRT_2 * largest_offset_texels(bias, filter) * texel_metres
         + f64::from(bias.constant)
         + f64::from(bias.slope) * texel_metres * f64::from(bias.slope_limit)
         + plane_reach_texels(bias, filter) * texel_metres
@@ -189,6 +183,9 @@ mod tests {
             depths: 0.0..100.0,
             texel_metres: 0.5,
             depth_metres: 100.0,
+            near_metres: -40.0,
+            spreads: false,
+            inverse_weight: Vec3::Z,
             tile: Tile { layer: 0, x: 0, y: 0, size: 128 },
             unclipped_depth: true,
         };
@@ -220,7 +217,7 @@ mod tests {
         let bias = Bias { receiver_plane: true, ..Bias::default() };
         let filter = Filter::Pcf { size: 5 };
         let (view, light) = view(DVec3::NEG_Y);
-        let margin = largest_bias(&bias, filter, f64::from(view.texel_metres)) as f32;
+        let margin = largest_bias(&bias, &filter, f64::from(view.texel_metres)) as f32;
         for degrees in [0.0, 30.0, 60.0, 85.0, 89.9, 95.0f64] {
             for turn in 0..16 {
                 let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -230,10 +227,9 @@ mod tests {
                 let gradient =
                     with(bias, Filter::Bilinear {}).reference_gradient(&footing, normal.as_vec3(), Vec3::Y);
                 let toward = with(bias, filter).bias_metres(&footing, normal.as_vec3(), Vec3::Y);
-                let nearest =
-                    gradient.abs().element_sum() * kernel_half_width_texels(filter) * view.depth_metres
-                        + toward.along_normal
-                        + toward.toward_light;
+                let nearest = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres
+                    + toward.along_normal
+                    + toward.toward_light;
                 assert!(nearest <= margin, "{degrees}°, turned by {turn}: {nearest} m, more than {margin} m");
             }
         }

@@ -59,6 +59,8 @@ pub enum LightError {
     HalfAngle(f32),
     /// The range is not positive, metres.
     Range(f32),
+    /// The size is negative, or more than a light can have: radians of a sun, metres of a lamp.
+    Size(f32),
 }
 
 impl fmt::Display for LightError {
@@ -75,6 +77,10 @@ impl fmt::Display for LightError {
                 write!(f, "a spot's whole angle must lie between 0 and 180 degrees, got {whole} degrees")
             }
             Self::Range(range) => write!(f, "a light's range must be positive, got {range} m"),
+            Self::Size(size) => write!(
+                f,
+                "a light's size must be 0 or more, in radians up to π for a sun and in metres for a lamp, got {size}"
+            ),
         }
     }
 }

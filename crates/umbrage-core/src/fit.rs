@@ -15,7 +15,7 @@ mod within;
 
 use std::ops::Range;
 
-use glam::{DMat4, DVec2, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use crate::beam::Beam;
 use crate::bias::{largest_bias, plane_reach_texels, reach_texels};
@@ -36,8 +36,10 @@ pub(crate) struct Fitted {
     pub unclipped_depth: bool,
     /// The longer side of the largest texel, on a receiver that faces the light.
     pub texel_metres: f64,
-    /// From the near plane to the far one.
-    pub depth_metres: f64,
+    /// Along the light's axis, from the near plane to the far one.
+    pub metres: Range<f64>,
+    /// See [`crate::ShadowView::inverse_weight`].
+    pub inverse_weight: DVec3,
 }
 
 /// What one view is to serve: a slice of the camera's view in one beam of light.
@@ -106,7 +108,7 @@ impl Slice<'_> {
     /// How far a map must begin and end from its receivers, metres: casters that are flattened onto the near plane must
     /// stay before every receiver, whatever its bias.
     fn margin(&self, texel_metres: f64, metres: &Range<f64>) -> f64 {
-        largest_bias(&self.settings.bias, self.settings.filter, texel_metres)
+        largest_bias(&self.settings.bias, &self.settings.filter, texel_metres)
             + LEAST_SIZE
             + 1e-3 * (metres.end - metres.start)
     }
@@ -116,7 +118,7 @@ impl Slice<'_> {
     fn depths(&self, light: &LightSpace, texel_metres: f64, receivers: Range<f64>) -> Range<f64> {
         let margin = self.margin(texel_metres, &receivers);
         let mut near = receivers.start - margin;
-        if !self.settings.unclipped_depth && !self.bounds.world.is_empty() {
+        if !self.settings.flattens_casters() && !self.bounds.world.is_empty() {
             near = near.min(self.world_metres(light).start - margin);
         }
         if let Beam::Spread(pyramid) = &self.beam {
@@ -137,7 +139,7 @@ impl Slice<'_> {
     fn padding(&self) -> f64 {
         let Settings { filter, bias, .. } = self.settings;
         let texels = f64::from(self.resolution);
-        let pad = (reach_texels(bias, *filter) + 1.0).min(texels / 4.0);
+        let pad = (reach_texels(bias, filter) + 1.0).min(texels / 4.0);
         texels / (texels - 2.0 * pad)
     }
 
@@ -158,7 +160,7 @@ impl Slice<'_> {
         } else if is_plain && !is_shared && self.settings.fit != Fit::Stable {
             let Settings { bias, filter, .. } = self.settings;
             // Beside a receiver, whatever lies before its plane may shadow it, however deep that is there.
-            let reach = (reach_texels(bias, *filter) + plane_reach_texels(bias, *filter)) * map.texel_metres;
+            let reach = (reach_texels(bias, filter) + plane_reach_texels(bias, filter)) * map.texel_metres;
             ConvexVolume::swept_to_light(receivers, &map.light, reach)
         } else {
             ConvexVolume::over_map(rows)
@@ -166,9 +168,10 @@ impl Slice<'_> {
         Fitted {
             clip_from_world: DMat4::from_cols(x, y, z, w).transpose(),
             casters,
-            unclipped_depth: self.settings.unclipped_depth,
+            unclipped_depth: self.settings.flattens_casters(),
             texel_metres: map.texel_metres,
-            depth_metres: map.metres.end - map.metres.start,
+            metres: map.metres.clone(),
+            inverse_weight: map.inverse_weight(),
         }
     }
 }
@@ -186,6 +189,14 @@ impl Map {
         let crop = |row: DVec4, low: f64, high: f64| (row * 2.0 - weight * (high + low)) / (high - low);
         let (near, far) = (light.z_at(metres.start), light.z_at(metres.end));
         [crop(u, min.x, max.x), crop(v, min.y, max.y), (z - w * near) / (far - near), weight]
+    }
+
+    /// What the warp divides depth by, inverted: a homography's weight is that of its inverse, which is linear on the map.
+    fn inverse_weight(&self) -> DVec3 {
+        let (centre, half) = ((self.min + self.max) * 0.5, (self.max - self.min) * 0.5);
+        // From NDC to the warped plane, and back.
+        let to_plane = DMat3::from_cols(DVec3::X * half.x, DVec3::Y * half.y, centre.extend(1.0));
+        (self.warp.matrix().inverse() * to_plane).row(2)
     }
 }
 

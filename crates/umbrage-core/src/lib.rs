@@ -17,14 +17,18 @@ mod beam;
 mod bias;
 mod bounds;
 mod camera;
+mod check;
 mod convex;
 mod cull;
 mod error;
 mod few;
+mod filter;
 mod fit;
 mod footing;
 mod frustum;
+pub mod kernel;
 mod light;
+mod moments;
 mod plan;
 mod presets;
 mod settings;
@@ -38,20 +42,25 @@ pub use aliasing::{
     PerspectiveError, TexelExtent, balanced_warp_near, ideal_storage_factor, largest_perspective_error,
     perspective_error, perspective_texel_extent, storage_factor, texel_extent,
 };
-pub use bias::{BiasMetres, RASTER_STEP_TEXELS, Reference, kernel_half_width_texels, normal_offset_texels};
+pub use bias::{BiasMetres, RASTER_STEP_TEXELS, Reference};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
 pub use few::Few;
+pub use filter::{
+    Disc, Exponential, ExponentialVariance, Filter, FourMoments, LightSize, MomentPrecision, Pcss, Prefilter,
+    Seed, SoftMoments, SummedVariance, Variance,
+};
 pub use footing::Footing;
 pub use frustum::Plane;
 pub use light::{Light, Rays};
+pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use presets::{PRESETS, Preset};
 pub use settings::{
-    Bias, CasterFaces, DepthFormat, Filter, Fit, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
+    Bias, CasterFaces, DepthFormat, Fit, Layer, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
     Storage, Warp,
 };
 pub use space::LightSpace;

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::LightError;
+use crate::filter::LightSize;
 
 /// A light that casts shadows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +12,9 @@ pub struct Light {
     pub rays: Rays,
     /// Texels a side of each of its views' tiles; as the settings say where absent.
     pub resolution: Option<u32>,
+    /// How large it is, for soft filters: the whole angle that a sun is seen under, radians, or a lamp's diameter, metres.
+    /// As the filter says where absent.
+    pub size: Option<f32>,
 }
 
 /// Where a light's rays come from, in world space. Made by the functions of [`Light`], which refuse what cannot shine.
@@ -78,13 +82,39 @@ impl Light {
     }
 
     fn of(rays: Rays) -> Self {
-        Self { rays, resolution: None }
+        Self { rays, resolution: None, size: None }
     }
 
     /// The same with tiles of `texels` a side.
     #[must_use]
     pub fn with_resolution(self, texels: u32) -> Self {
         Self { resolution: Some(texels), ..self }
+    }
+
+    /// The same of such a size: the whole angle that a sun is seen under, radians up to π, or a lamp's diameter, metres.
+    ///
+    /// # Errors
+    /// When it is negative or not finite, or a sun more than half of all directions.
+    pub fn with_size(self, size: f32) -> Result<Self, LightError> {
+        let most =
+            if matches!(self.rays, Rays::Directional { .. }) { std::f32::consts::PI } else { f32::MAX };
+        if (0.0..=most).contains(&size) {
+            Ok(Self { size: Some(size), ..self })
+        } else {
+            Err(LightError::Size(size))
+        }
+    }
+
+    /// What penumbrae grow with: the tangent of half the angle that a sun is seen under, or a lamp's radius, metres.
+    pub fn half_size(&self, otherwise: LightSize) -> f32 {
+        match self.rays {
+            Rays::Directional { .. } => {
+                let angle = self.size.unwrap_or(otherwise.sun_degrees.to_radians());
+                // Half of all directions have no tangent.
+                (0.5 * angle).min(1.57).tan()
+            }
+            Rays::Spot { .. } | Rays::Point { .. } => 0.5 * self.size.unwrap_or(otherwise.lamp_metres),
+        }
     }
 
     /// Unit direction from a point of the world toward the light; zero at the light itself.
@@ -138,6 +168,23 @@ mod tests {
         assert!(matches!(Light::point(Vec3::NAN, 1.0), Err(LightError::Position(_))), "nowhere");
         assert_eq!(Light::point(Vec3::ZERO, -1.0), Err(LightError::Range(-1.0)));
         assert_eq!(Light::directional(Vec3::ZERO), Err(LightError::Direction([0.0; 3])));
+    }
+
+    #[test]
+    fn a_light_may_be_as_large_as_the_sky_and_no_larger_and_not_negative() {
+        let sun = Light::directional(Vec3::NEG_Y).expect("a sun");
+        let otherwise = LightSize { sun_degrees: 90.0, lamp_metres: 3.0 };
+        assert!((sun.half_size(otherwise) - 1.0).abs() < 1e-6, "tan 45°");
+        assert!(
+            sun.with_size(std::f32::consts::PI).is_ok_and(|sun| sun.half_size(otherwise).is_finite()),
+            "the sky"
+        );
+        assert_eq!(sun.with_size(0.0).map(|sun| sun.half_size(otherwise)), Ok(0.0));
+        assert_eq!(sun.with_size(-0.1), Err(LightError::Size(-0.1)));
+        assert_eq!(sun.with_size(3.2), Err(LightError::Size(3.2)));
+        let lamp = Light::point(Vec3::ZERO, 9.0).expect("a lamp");
+        assert_eq!(lamp.half_size(otherwise), 1.5);
+        assert!(lamp.with_size(3.2).is_ok() && lamp.with_size(f32::INFINITY).is_err(), "metres");
     }
 
     #[test]

@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use glam::{DMat4, Mat4};
+use glam::{DMat4, DVec3, Mat4, Vec3};
 
 use crate::beam::Beam;
 use crate::bounds::{Aabb, Bounds};
@@ -137,7 +137,10 @@ impl ShadowPlan {
             split,
             depths: served.start as f32..served.end as f32,
             texel_metres: finite(fitted.texel_metres),
-            depth_metres: finite(fitted.depth_metres),
+            depth_metres: finite(fitted.metres.end - fitted.metres.start),
+            near_metres: finite(fitted.metres.start),
+            spreads: !matches!(light.rays, Rays::Directional { .. }),
+            inverse_weight: finite_vector(fitted.inverse_weight),
             tile,
             unclipped_depth: fitted.unclipped_depth,
         });
@@ -205,6 +208,11 @@ fn spot_splits(job: &Job<'_>, depths: Range<f32>) -> Few<f64, { MAX_SPLITS + 1 }
 /// The nearest f32, and the largest one instead of infinity.
 fn finite(value: f64) -> f32 {
     value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
+}
+
+/// As [`finite`], and 0 for what is no number.
+fn finite_vector(vector: DVec3) -> Vec3 {
+    Vec3::from_array(vector.to_array().map(|entry| if entry.is_nan() { 0.0 } else { finite(entry) }))
 }
 
 /// Entries beyond f32 become its largest: such a map is useless, but not NaN.

@@ -1,9 +1,12 @@
 //! Named settings: what the sources measured, as data.
 //!
-//! The sources' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have the same
-//! bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
+//! The engines' are their defaults of 2026, as far as this planner has what they do; what differs is said.
+//!
+//! The papers' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have
+//! the same bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
 
-use crate::settings::{Bias, Filter, Fit, Select, Settings, Warp};
+use crate::filter::{Disc, Filter};
+use crate::settings::{Bias, DepthFormat, Fit, Scheme, Select, Settings, Storage, Warp};
 
 /// Settings with a name and a source.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +88,102 @@ pub const PRESETS: &[Preset] = &[
         source: "Zhang et al. 2006, table 1: PSSM(4; 512²)",
         settings: || zhang(4, 512),
     },
+    Preset {
+        name: "tutorial-16",
+        source: "opengl-tutorial 16: one map of 1024², 16 bits, four stratified points, a bias by slope",
+        settings: tutorial,
+    },
+    Preset {
+        name: "bevy",
+        source: "Bevy 0.20-dev: four stable maps of 2048² to 150 m, Castaño 5 × 5; its normal bias has no sine, ours has",
+        settings: || Settings {
+            scheme: Scheme::Manual,
+            manual: vec![10.0, 24.66, 60.82], // 10 m, then equal ratios to 150 m
+            distance: Some(150.0),
+            blend: 0.2,
+            resolution: 2048,
+            filter: Filter::Optimised { size: 5 },
+            // 1.8 √2 texels along the normal; the kernel reaches 3 texels, and a texel's diagonal is √2.
+            bias: Bias { normal: 0.6, constant: 0.02, ..Bias::NONE },
+            ..peer()
+        },
+    },
+    Preset {
+        name: "godot",
+        source: "Godot 4.7: four stable maps of 2048² in 16 bits to 100 m, a spiral of points turned by noise",
+        settings: || Settings {
+            scheme: Scheme::Manual,
+            manual: vec![10.0, 20.0, 50.0],
+            distance: Some(100.0),
+            resolution: 2048,
+            depth: DepthFormat::U16,
+            storage: Storage::Atlas,
+            filter: Filter::Vogel(Disc { taps: 8, radius_texels: 1.5, ..Disc::default() }),
+            bias: Bias { normal: 0.8, constant: 0.1, ..Bias::NONE },
+            ..peer()
+        },
+    },
+    Preset {
+        name: "filament",
+        source: "Filament 1.74: one map of 1024² to 100 m with LiSPSM, Castaño 3 × 3, polygon offset and a normal bias",
+        settings: || Settings {
+            splits: 1,
+            distance: Some(100.0),
+            fit: Fit::Scene,
+            warp: Warp::Lispsm,
+            filter: Filter::Optimised { size: 3 },
+            bias: Bias { normal: 0.5, constant: 0.001, raster_constant: 2, raster_slope: 0.5, ..Bias::NONE },
+            ..peer()
+        },
+    },
+    Preset {
+        name: "three",
+        source: "three.js r185 with its CSM addon: three stable maps of 2048², λ = 0.5, five points turned by noise, next to no bias",
+        settings: || Settings {
+            splits: 3,
+            lambda: 0.5,
+            resolution: 2048,
+            filter: Filter::Vogel(Disc { taps: 5, radius_texels: 1.0, ..Disc::default() }),
+            ..peer()
+        },
+    },
+    Preset {
+        name: "mjp",
+        source: "Pettineo's Shadows: four maps of 2048², cuts at 5, 15 and 50 % of 250 m, PCF 7 × 7 with the receiver's plane",
+        settings: || Settings {
+            scheme: Scheme::Manual,
+            manual: vec![12.5, 37.5, 125.0],
+            distance: Some(250.0),
+            fit: Fit::View,
+            resolution: 2048,
+            select: Select::Map,
+            blend: 0.1,
+            filter: Filter::Pcf { size: 7 },
+            bias: Bias { receiver_plane: true, constant: 0.005, ..Bias::NONE },
+            ..peer()
+        },
+    },
 ];
+
+/// The tutorial: its biases are 0.005 and 0.01 of a depth range of 30 m, here in texels of its map.
+fn tutorial() -> Settings {
+    let slope = 0.005 * 30.0 / (20.0 / 1024.0);
+    let disc = Disc { taps: 4, radius_texels: 1024.0 / 700.0, centred: false, ..Disc::default() };
+    Settings {
+        splits: 1,
+        depth: DepthFormat::U16,
+        fit: Fit::Scene,
+        select: Select::Depth,
+        filter: Filter::Stratified(disc),
+        bias: Bias { slope, slope_limit: 2.0, ..Bias::NONE },
+        ..Settings::default()
+    }
+}
+
+/// What engines have in common: stable maps, a view by depth, no receiver's plane.
+fn peer() -> Settings {
+    Settings { fit: Fit::Stable, select: Select::Depth, bias: Bias::NONE, ..Settings::default() }
+}
 
 /// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel.
 fn ferko(splits: u32, resolution: u32) -> Settings {
@@ -110,29 +208,39 @@ fn source() -> Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::MapLayout;
 
     #[test]
     fn every_preset_is_valid_and_its_name_says_its_maps() {
         for preset in PRESETS {
             let settings = (preset.settings)();
             assert_eq!(settings.validate(), Ok(()), "{}", preset.name);
+            let numbers = preset.name.strip_prefix("ferko").or(preset.name.strip_prefix("zhang"));
+            let Some(numbers) = numbers else { continue };
             let texels: Vec<u32> =
-                preset.name.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
+                numbers.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
+            let maps = (settings.splits, settings.resolution);
             match texels[..] {
-                [] => assert_eq!(preset.name, "default"),
-                [resolution] => {
-                    assert_eq!((settings.splits, settings.resolution), (1, resolution), "{}", preset.name);
-                }
-                [splits, resolution] => {
-                    assert_eq!(
-                        (settings.splits, settings.resolution),
-                        (splits, resolution),
-                        "{}",
-                        preset.name
-                    );
-                }
-                _ => panic!("{} has too many numbers", preset.name),
+                [resolution] => assert_eq!(maps, (1, resolution), "{}", preset.name),
+                [splits, resolution] => assert_eq!(maps, (splits, resolution), "{}", preset.name),
+                _ => panic!("{} should name its maps", preset.name),
             }
+        }
+    }
+
+    #[test]
+    fn the_engines_maps_are_as_large_as_they_say() {
+        // MiB of one sun's maps, and how far its shadows reach, metres.
+        for (name, mib, reach) in [
+            ("bevy", 64, 150.0),
+            ("godot", 32, 100.0),
+            ("filament", 4, 100.0),
+            ("three", 48, f32::INFINITY),
+            ("mjp", 64, 250.0),
+        ] {
+            let settings = Preset::named(name).map(|preset| (preset.settings)()).expect("a preset");
+            assert_eq!(MapLayout::of_sun(&settings).bytes(), mib << 20, "{name}");
+            assert_eq!(settings.distance.unwrap_or(f32::INFINITY), reach, "{name}");
         }
     }
 

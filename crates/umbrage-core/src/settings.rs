@@ -1,6 +1,8 @@
 //! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
 
 use crate::SettingsError;
+use crate::check::check;
+use crate::filter::Filter;
 
 /// The most splits a light can have (Ferko 2010, listing 4.13).
 pub const MAX_SPLITS: usize = 9;
@@ -150,22 +152,6 @@ pub enum Select {
     Map,
 }
 
-/// How a map is read; each variant is a file of shader code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
-pub enum Filter {
-    /// One comparison with the nearest texel.
-    Hard {},
-    /// Four comparisons, weighted bilinearly, by the sampler.
-    Bilinear {},
-    /// The mean of `size` × `size` bilinear lookups, one texel apart.
-    Pcf {
-        /// Lookups a side: 1, 3, 5, 7 or 9.
-        size: u32,
-    },
-}
-
 /// What keeps surfaces from shadowing themselves. Zero everywhere is no bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -189,6 +175,14 @@ pub struct Bias {
     pub receiver_plane: bool,
     /// Which faces of casters are drawn.
     pub casters: CasterFaces,
+    /// What is stored, of the first surface that the light meets and of the second.
+    pub layer: Layer,
+    /// For [`Layer::Dual`], the most that is stored behind the first surface; for [`Layer::Midpoint`] and
+    /// [`Layer::Second`], what is stored behind it where there is no second, metres.
+    pub layer_limit: f32,
+    /// Cosine of the angle between normal and light up to which light fades in, 0 to 1. Surfaces that are turned away from
+    /// the light are dark without a lookup; where smooth shading still lights them, the facets show unless it fades.
+    pub terminator: f32,
 }
 
 /// Which faces of casters are drawn into the maps.
@@ -201,6 +195,20 @@ pub enum CasterFaces {
     Front,
     /// Those turned away; wants closed casters.
     Back,
+}
+
+/// What is stored of the surfaces that a ray of light meets. All but the first need casters drawn twice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Layer {
+    /// The first.
+    First,
+    /// The second (Wang & Molnar 1994).
+    Second,
+    /// Half-way between the two (Woo 1992).
+    Midpoint,
+    /// Half-way between the two, but at most [`Bias::layer_limit`] behind the first (Weiskopf & Ertl 2003).
+    Dual,
 }
 
 /// What a shadow does to the picture. `darkness` is 1 where a shadow takes all of the light away, 0 where none.
@@ -266,6 +274,9 @@ impl Default for Bias {
             normal: 0.25, // bends between triangles, docs/decisions/0007; 1 is exact for a flat receiver without its plane
             receiver_plane: true,
             casters: CasterFaces::Both,
+            layer: Layer::First,
+            layer_limit: 0.05, // what stands on a ground this deep inside of it has its shadow yet
+            terminator: 0.0,
         }
     }
 }
@@ -281,10 +292,18 @@ impl Bias {
         normal: 0.0,
         receiver_plane: false,
         casters: CasterFaces::Both,
+        layer: Layer::First,
+        layer_limit: 0.05,
+        terminator: 0.0,
     };
 }
 
 impl Settings {
+    /// Whether casters before a view's near plane are flattened onto it. Not where a filter asks how far a blocker is.
+    pub fn flattens_casters(&self) -> bool {
+        self.unclipped_depth && self.filter.light_size().is_none()
+    }
+
     /// Whether every value is in its range.
     ///
     /// # Errors
@@ -328,6 +347,13 @@ impl Settings {
                 why: "a warp follows the camera, and a stable map does not",
             });
         }
+        if bias.layer != Layer::First && bias.casters != CasterFaces::Both {
+            return Err(SettingsError::Conflict {
+                this: "`bias.layer`",
+                other: "`bias.casters`",
+                why: "the second surface is looked for among all faces",
+            });
+        }
         if *scheme == Scheme::Manual {
             let rises =
                 manual.windows(2).all(|w| w[0] < w[1]) && manual.iter().all(|d| *d > 0.0 && d.is_finite());
@@ -335,18 +361,7 @@ impl Settings {
                 return Err(SettingsError::Manual { wanted: splits - 1, got: manual.clone() });
             }
         }
-        match filter {
-            Filter::Hard {} | Filter::Bilinear {} => {}
-            Filter::Pcf { size: 1 | 3 | 5 | 7 | 9 } => {}
-            Filter::Pcf { size } => {
-                let wanted = "1, 3, 5, 7 or 9 lookups a side";
-                return Err(SettingsError::OutOfRange {
-                    key: "filter.size",
-                    value: f64::from(*size),
-                    wanted,
-                });
-            }
-        }
+        filter.validate(*resolution)?;
         bias.validate()?;
         let (Shade::Absence { darkness } | Shade::Colour { darkness, .. }) = shade;
         check("shade.darkness", f64::from(*darkness), 0.0, 1.0, "from 0 to 1")?;
@@ -370,6 +385,9 @@ impl Bias {
             normal,
             receiver_plane: _,
             casters: _,
+            layer: _,
+            layer_limit,
+            terminator,
         } = self;
         let texels = "from 0 to 100";
         check(
@@ -383,24 +401,15 @@ impl Bias {
         check("bias.constant", f64::from(*constant), 0.0, 1e3, "from 0 to 1000 metres")?;
         check("bias.slope", f64::from(*slope), 0.0, 100.0, texels)?;
         check("bias.slope_limit", f64::from(*slope_limit), 0.0, 1e4, "from 0 to 10000")?;
-        check("bias.normal", f64::from(*normal), 0.0, 100.0, texels)
+        check("bias.normal", f64::from(*normal), 0.0, 100.0, texels)?;
+        check("bias.layer_limit", *layer_limit, 0.0, 1e3, "from 0 to 1000 metres")?;
+        check("bias.terminator", *terminator, 0.0, 1.0, "from 0 to 1")
     }
 }
 
 /// Whether a tile may have so many texels a side.
 pub(crate) fn check_resolution(texels: u32) -> Result<(), SettingsError> {
     check("resolution", f64::from(texels), 16.0, 16384.0, "from 16 to 16384 texels")
-}
-
-/// NaN is outside every range.
-fn check(
-    key: &'static str,
-    value: f64,
-    low: f64,
-    high: f64,
-    wanted: &'static str,
-) -> Result<(), SettingsError> {
-    if (low..=high).contains(&value) { Ok(()) } else { Err(SettingsError::OutOfRange { key, value, wanted }) }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::{DVec3, Mat4};
+use glam::{DVec3, Mat4, Vec2, Vec3};
 
 use crate::cull::ConvexVolume;
 use crate::error::SettingsError;
@@ -33,6 +33,13 @@ pub struct ShadowView {
     pub texel_metres: f32,
     /// From its near plane to its far one along the light's axis, metres.
     pub depth_metres: f32,
+    /// Where its near plane lies along the light's axis, metres: from the tip of a lamp, and from the world's origin for a
+    /// sun.
+    pub near_metres: f32,
+    /// Whether its rays spread from a tip; depth is then stored as 1 / d falls.
+    pub spreads: bool,
+    /// What a warp divides stored depth by is one number a ray. At x, y of NDC its inverse is dot(this, (x, y, 1)).
+    pub inverse_weight: Vec3,
     /// Where it lies.
     pub tile: Tile,
     /// Whether casters before the near plane must be flattened onto it.
@@ -50,6 +57,21 @@ impl ShadowView {
         let clip = clip / clip.w;
         let near = if self.unclipped_depth { f64::NEG_INFINITY } else { -slack };
         clip.x.abs() <= 1.0 + slack && clip.y.abs() <= 1.0 + slack && clip.z >= near && clip.z <= 1.0 + slack
+    }
+}
+
+impl ShadowView {
+    /// How far along the light's axis a depth is that is stored at a place of the tile, given in texels: 0 on the near
+    /// plane, 1 on the far one, and even between.
+    pub fn even_depth(&self, texel: Vec2, stored: f32) -> f32 {
+        let ndc = texel / self.tile.size as f32 * Vec2::new(2.0, -2.0) + Vec2::new(-1.0, 1.0);
+        let straight = stored / self.inverse_weight.dot(ndc.extend(1.0));
+        if !self.spreads {
+            return straight;
+        }
+        // 1 / d is linear in it, from 1 / near to 1 / far.
+        let Self { near_metres, depth_metres, .. } = *self;
+        straight * near_metres / (near_metres + depth_metres - straight * depth_metres)
     }
 }
 

@@ -10,6 +10,8 @@ use crate::scene_buffers::{CASTER_BUFFERS, SceneBuffers};
 pub(crate) struct CasterPipelines {
     /// For instances as they are, and for instances that mirror their mesh: these turn its winding over.
     pub by_mirroring: [wgpu::RenderPipeline; 2],
+    /// The same for the second surface that the light meets, where there is one.
+    pub second_by_mirroring: Option<[wgpu::RenderPipeline; 2]>,
     /// Group 1 of both.
     pub instances: wgpu::BindGroup,
 }
@@ -38,16 +40,19 @@ impl CasterPipelines {
             label: Some("CasterPipelines::module"),
             source: wgpu::ShaderSource::Wgsl((caster_wgsl() + include_str!("../shaders/caster.wgsl")).into()),
         });
-        let by_mirroring = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| {
-            let vertex = CasterVertex {
-                module: &module,
-                entry_point: "caster",
-                buffers: &CASTER_BUFFERS,
-                bind_group_layouts: &[&layout],
-                front_face,
-            };
-            shadows.caster_pipeline(&gpu.device, &vertex)
+        let vertices = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| CasterVertex {
+            module: &module,
+            entry_point: "caster",
+            buffers: &CASTER_BUFFERS,
+            bind_group_layouts: &[&layout],
+            front_face,
         });
-        Self { by_mirroring, instances }
+        let [plain, mirrored] = &vertices;
+        let second = |vertex| shadows.second_caster_pipeline(&gpu.device, vertex);
+        Self {
+            by_mirroring: [plain, mirrored].map(|vertex| shadows.caster_pipeline(&gpu.device, vertex)),
+            second_by_mirroring: second(plain).zip(second(mirrored)).map(<[_; 2]>::from),
+            instances,
+        }
     }
 }

@@ -13,7 +13,7 @@ use crate::gpu::Gpu;
 use crate::scene_buffers::{SceneBuffers, filled};
 use crate::shading::Shading;
 use crate::target::{Encoding, Picture, Target};
-use crate::timing::{CASTERS, FrameTimes, PassTimer, SHADE, ViewLoad};
+use crate::timing::{CASTERS, FILTER, FrameTimes, PassTimer, SHADE, ViewLoad};
 
 /// A light that shades and casts shadows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,6 +160,7 @@ impl<'a> Renderer<'a> {
         }
         let plan = self.shadows.plan(&frame.camera, &frame.shadowed(), &self.parts.bounds())?;
         let lists = self.draw_lists(&plan, &frame.camera);
+        self.shadows.set_picture_size(frame.width, frame.height);
         self.shadows.upload(&self.gpu.queue, &plan);
         let numbers = bytemuck::cast_slice(&lists.instances);
         let numbers = filled(self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
@@ -178,9 +179,10 @@ impl<'a> Renderer<'a> {
         let done = start.elapsed();
 
         let milliseconds = |duration: std::time::Duration| duration.as_secs_f64() * 1e3;
-        let by_clock = (milliseconds(cast - planned), milliseconds(done - cast));
-        let (casters, shade) = self.timer.finish(self.gpu)?.unwrap_or(by_clock);
-        let times = FrameTimes { plan: milliseconds(planned), casters, shade, frame: milliseconds(done) };
+        let by_clock = [milliseconds(cast - planned), 0.0, milliseconds(done - cast)];
+        let [casters, filter, shade] = self.timer.finish(self.gpu)?.unwrap_or(by_clock);
+        let times =
+            FrameTimes { plan: milliseconds(planned), casters, filter, shade, frame: milliseconds(done) };
         let load = |(view, draws): (&umbrage::ShadowView, &Vec<Draw>)| ViewLoad {
             light: view.light,
             split: view.split,
@@ -253,21 +255,45 @@ impl<'a> Renderer<'a> {
         for (view, draws) in plan.views().iter().zip(&lists.views) {
             self.timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
                 let mut pass = self.shadows.begin_timed(encoder, view, timestamps);
-                pass.set_bind_group(1, &self.casters.instances, &[]);
-                pass.set_vertex_buffer(0, self.buffers.positions.slice(..));
-                pass.set_vertex_buffer(1, numbers.slice(..));
-                pass.set_index_buffer(self.buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
-                let mut set = None;
-                for draw in draws {
-                    if set != Some(draw.mirrored) {
-                        pass.set_pipeline(&self.casters.by_mirroring[usize::from(draw.mirrored)]);
-                        set = Some(draw.mirrored);
-                    }
-                    pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
-                }
+                self.record_casters(&mut pass, &self.casters.by_mirroring, draws, numbers);
             });
+            if let Some(pipelines) = &self.casters.second_by_mirroring {
+                self.timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
+                    if let Some(mut pass) = self.shadows.begin_second(encoder, view, timestamps) {
+                        self.record_casters(&mut pass, pipelines, draws, numbers);
+                    }
+                });
+            }
+        }
+        if self.shadows.has_filter_pass() {
+            self.timer.compute_pass(FILTER, &mut encoder, |encoder, timestamps| {
+                self.shadows.finish_timed(encoder, plan, timestamps);
+            });
+        } else {
+            self.shadows.finish(&mut encoder, plan);
         }
         self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    fn record_casters(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipelines: &[wgpu::RenderPipeline; 2],
+        draws: &[Draw],
+        numbers: &wgpu::Buffer,
+    ) {
+        pass.set_bind_group(1, &self.casters.instances, &[]);
+        pass.set_vertex_buffer(0, self.buffers.positions.slice(..));
+        pass.set_vertex_buffer(1, numbers.slice(..));
+        pass.set_index_buffer(self.buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+        let mut set = None;
+        for draw in draws {
+            if set != Some(draw.mirrored) {
+                pass.set_pipeline(&pipelines[usize::from(draw.mirrored)]);
+                set = Some(draw.mirrored);
+            }
+            pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
+        }
     }
 
     fn draw_receivers(

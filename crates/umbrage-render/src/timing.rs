@@ -12,6 +12,9 @@ pub struct FrameTimes {
     pub plan: f64,
     /// All caster passes.
     pub casters: f64,
+    /// What makes of the maps what lookups read: moments, blurs, sums. 0 for filters that read depths; without timestamps
+    /// part of `casters`.
+    pub filter: f64,
     /// The shading pass.
     pub shade: f64,
     /// From the start of planning to the end of shading, by the wall clock.
@@ -33,6 +36,7 @@ pub struct ViewLoad {
 
 /// Labels that tell the passes of a frame apart.
 pub(crate) const CASTERS: &str = "casters";
+pub(crate) const FILTER: &str = "filter";
 pub(crate) const SHADE: &str = "shade";
 
 /// Times passes by timestamps, where the device has them.
@@ -71,15 +75,32 @@ impl PassTimer {
         }
     }
 
+    /// The same for a compute pass.
+    pub fn compute_pass(
+        &self,
+        label: &str,
+        encoder: &mut wgpu::CommandEncoder,
+        record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::ComputePassTimestampWrites<'_>>),
+    ) {
+        match &self.profiler {
+            None => record(encoder, None),
+            Some(profiler) => {
+                let query = profiler.begin_pass_query(label, encoder);
+                record(encoder, query.compute_pass_timestamp_writes());
+                profiler.end_query(encoder, query);
+            }
+        }
+    }
+
     pub fn resolve(&mut self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(profiler) = &mut self.profiler {
             profiler.resolve_queries(encoder);
         }
     }
 
-    /// Milliseconds of all passes labelled `CASTERS` and of the one labelled `SHADE`, once the frame is done. `None`
-    /// where the device has no timestamps.
-    pub fn finish(&mut self, gpu: &Gpu) -> Result<Option<(f64, f64)>, RenderError> {
+    /// Milliseconds of all passes labelled `CASTERS`, of those labelled `FILTER` and of those labelled `SHADE`, once the frame
+    /// is done. `None` where the device has no timestamps.
+    pub fn finish(&mut self, gpu: &Gpu) -> Result<Option<[f64; 3]>, RenderError> {
         let Some(profiler) = &mut self.profiler else { return Ok(None) };
         profiler.end_frame().map_err(|e| RenderError::Device(e.to_string()))?;
         gpu.wait()?;
@@ -88,7 +109,7 @@ impl PassTimer {
             let spans = results.iter().filter(|result| result.label == label);
             spans.filter_map(milliseconds).sum()
         };
-        Ok(Some((total(CASTERS), total(SHADE))))
+        Ok(Some([CASTERS, FILTER, SHADE].map(total)))
     }
 }
 

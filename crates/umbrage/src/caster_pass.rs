@@ -3,6 +3,8 @@
 use umbrage_core::{CasterFaces, Settings};
 
 use crate::capabilities::Capabilities;
+use crate::compute::{frame_entry, view_entry};
+use crate::layers::peel_wgsl;
 use crate::maps::texture_format;
 
 /// The caller's half of a caster pipeline: how vertices reach world space.
@@ -24,38 +26,25 @@ pub struct CasterVertex<'a> {
 pub(crate) fn bind_group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("Shadows::caster_layout"),
-        entries: &[
-            wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::VERTEX,
-                ty: wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Storage { read_only: true },
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-                count: None,
-            },
-            wgpu::BindGroupLayoutEntry {
-                binding: 1,
-                visibility: wgpu::ShaderStages::VERTEX,
-                ty: wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Uniform,
-                    has_dynamic_offset: true,
-                    min_binding_size: None,
-                },
-                count: None,
-            },
-        ],
+        entries: &[frame_entry(wgpu::ShaderStages::VERTEX), view_entry(wgpu::ShaderStages::VERTEX)],
     })
 }
 
+/// One that draws casters; where it `peels`, without the first surface, which is then bound in group 0 too.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
     settings: &Settings,
     capabilities: Capabilities,
     group: &wgpu::BindGroupLayout,
     vertex: &CasterVertex<'_>,
+    peels: bool,
 ) -> wgpu::RenderPipeline {
+    let peel = peels.then(|| {
+        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("Shadows::peel"),
+            source: wgpu::ShaderSource::Wgsl(peel_wgsl().into()),
+        })
+    });
     let CasterVertex { module, entry_point, buffers, bind_group_layouts, front_face } = *vertex;
     let groups: Vec<_> = std::iter::once(group).chain(bind_group_layouts.iter().copied()).map(Some).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -79,7 +68,7 @@ pub(crate) fn pipeline(
                 CasterFaces::Front => Some(wgpu::Face::Back),
                 CasterFaces::Back => Some(wgpu::Face::Front),
             },
-            unclipped_depth: settings.unclipped_depth && capabilities.unclipped_depth,
+            unclipped_depth: settings.flattens_casters() && capabilities.unclipped_depth,
             ..wgpu::PrimitiveState::default()
         },
         depth_stencil: Some(wgpu::DepthStencilState {
@@ -94,7 +83,12 @@ pub(crate) fn pipeline(
             },
         }),
         multisample: wgpu::MultisampleState::default(),
-        fragment: None,
+        fragment: peel.as_ref().map(|module| wgpu::FragmentState {
+            module,
+            entry_point: Some("peel"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[],
+        }),
         multiview_mask: None,
         cache: None,
     })

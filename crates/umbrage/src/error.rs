@@ -25,6 +25,16 @@ pub enum ShadowError {
         /// The adapter's most layers.
         most_layers: u32,
     },
+    /// A setting needs what this adapter has not.
+    #[error("{what} needs {missing}, which this adapter has not; {remedy}")]
+    Unsupported {
+        /// The setting.
+        what: &'static str,
+        /// What it needs.
+        missing: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// More lights than a plan holds, or none.
     #[error("shadows need 1 to {most} lights, got {got}")]
     Lights {

@@ -2,7 +2,7 @@
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{Light, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan, normal_offset_texels};
+use umbrage_core::{Light, LightSize, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan};
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct GpuView {
@@ -13,6 +13,10 @@ struct GpuView {
     depth_start: f32,
     depth_end: f32,
     clip_depth_end: f32,
+    depth_metres: f32,
+    near_metres: f32,
+    spreads: u32,
+    inverse_weight: Vec3,
 }
 
 #[derive(Clone, Copy, Debug, Default, ShaderType)]
@@ -21,20 +25,25 @@ struct GpuLight {
     first_view: u32,
     view_count: u32,
     is_cube: u32,
+    size: f32,
 }
 
 #[derive(Clone, Debug, ShaderType)]
 struct GpuFrame {
     depth_row: Vec4,
+    clip_x_row: Vec4,
+    clip_y_row: Vec4,
     clip_z_row: Vec4,
     clip_w_row: Vec4,
     shadow_end: f32,
     light_count: u32,
     map_size: Vec2,
+    picture_size: Vec2,
     bias_constant: f32,
     bias_slope: f32,
     bias_slope_limit: f32,
     bias_normal: f32,
+    terminator: f32,
     shadow_colour: Vec4,
     darkness: f32,
     depth_step: f32,
@@ -48,8 +57,14 @@ pub(crate) fn frame_bytes(views: u32) -> u64 {
     GpuFrame::min_size().get() + u64::from(views.max(1) - 1) * GpuView::SHADER_SIZE.get()
 }
 
-/// What `shaders/frame.wgsl` calls `UmbrageFrame`, as bytes. `map_size` is the texture's, in texels.
-pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) -> Vec<u8> {
+/// What `shaders/frame.wgsl` calls `UmbrageFrame`, as bytes. `map_size` is the maps' texture, in texels, `picture_size` what
+/// the camera fills, in pixels.
+pub(crate) fn frame(
+    plan: &ShadowPlan,
+    settings: &Settings,
+    map_size: [u32; 2],
+    picture_size: [u32; 2],
+) -> Vec<u8> {
     let camera = plan.camera();
     let clip_from_world = camera.clip_from_world();
     let forward = camera.forward();
@@ -59,19 +74,23 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
     };
     let mut lights = [GpuLight::default(); MAX_LIGHTS];
     for (slot, (i, of)) in lights.iter_mut().zip(plan.lights().iter().enumerate()) {
-        *slot = light(plan, i, of);
+        *slot = light(plan, settings, i, of);
     }
     let frame = GpuFrame {
         depth_row: forward.extend(-forward.dot(camera.eye())),
+        clip_x_row: clip_from_world.row(0),
+        clip_y_row: clip_from_world.row(1),
         clip_z_row: clip_from_world.row(2),
         clip_w_row: clip_from_world.row(3),
         shadow_end: plan.splits().last().map_or(0.0, |end| *end as f32),
         light_count: plan.lights().len() as u32,
-        map_size: Vec2::new(map_size[0] as f32, map_size[1] as f32),
+        map_size: sides(map_size),
+        picture_size: sides(picture_size),
         bias_constant: settings.bias.constant,
         bias_slope: settings.bias.slope,
         bias_slope_limit: settings.bias.slope_limit,
-        bias_normal: normal_offset_texels(&settings.bias, settings.filter),
+        bias_normal: settings.bias.normal,
+        terminator: settings.bias.terminator,
         shadow_colour: Vec4::from_array(shadow_colour),
         darkness,
         depth_step: settings.depth.step(),
@@ -86,7 +105,11 @@ pub(crate) fn frame(plan: &ShadowPlan, settings: &Settings, map_size: [u32; 2]) 
     }
 }
 
-fn light(plan: &ShadowPlan, index: usize, light: &Light) -> GpuLight {
+fn sides([width, height]: [u32; 2]) -> Vec2 {
+    Vec2::new(width as f32, height as f32)
+}
+
+fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) -> GpuLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
     let place = match light.rays {
         Rays::Spot { position, .. } | Rays::Point { position, .. } => position.extend(1.0),
@@ -98,6 +121,7 @@ fn light(plan: &ShadowPlan, index: usize, light: &Light) -> GpuLight {
         first_view: views.next().map_or(0, |view| view.index as u32),
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
         is_cube: u32::from(matches!(light.rays, Rays::Point { .. })),
+        size: light.half_size(settings.filter.light_size().unwrap_or(LightSize::default())),
     }
 }
 
@@ -110,6 +134,10 @@ fn view(plan: &ShadowPlan, view: &umbrage_core::ShadowView) -> GpuView {
         depth_start: view.depths.start,
         depth_end: view.depths.end,
         clip_depth_end: plan.camera().clip_depth(view.depths.end),
+        depth_metres: view.depth_metres,
+        near_metres: view.near_metres,
+        spreads: u32::from(view.spreads),
+        inverse_weight: view.inverse_weight,
     }
 }
 
@@ -141,22 +169,30 @@ mod tests {
             "depth_start",
             "depth_end",
             "clip_depth_end",
+            "depth_metres",
+            "near_metres",
+            "spreads",
+            "inverse_weight",
         ];
         same("UmbrageView", &view, of_view);
-        same("UmbrageLight", &["place", "first_view", "view_count", "is_cube"], |i| {
+        same("UmbrageLight", &["place", "first_view", "view_count", "is_cube", "size"], |i| {
             GpuLight::METADATA.offset(i)
         });
         let frame = [
             "depth_row",
+            "clip_x_row",
+            "clip_y_row",
             "clip_z_row",
             "clip_w_row",
             "shadow_end",
             "light_count",
             "map_size",
+            "picture_size",
             "bias_constant",
             "bias_slope",
             "bias_slope_limit",
             "bias_normal",
+            "terminator",
             "shadow_colour",
             "darkness",
             "depth_step",

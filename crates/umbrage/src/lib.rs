@@ -24,18 +24,25 @@
 
 mod capabilities;
 mod caster_pass;
+mod compute;
 mod error;
 mod gpu_types;
+mod layers;
 mod lookup;
 mod maps;
+mod moments;
+mod prefilter;
 mod shadows;
+mod sums;
 mod wgsl;
 
 pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
 pub use error::ShadowError;
-pub use lookup::{Lookup, view_of};
+pub use lookup::{Lookup, Place, view_of};
 pub use maps::MapTexels;
+#[doc(hidden)]
+pub use moments::{moments_wgsl, msm_blocker_wgsl};
 pub use shadows::Shadows;
 pub use umbrage_core::*;
 pub use wgsl::{caster_wgsl, receiver_wgsl};

@@ -4,10 +4,12 @@
 //! Mirrors `shaders/receiver.wgsl` and `footing.wgsl`, and the files of `select/`, `reference/`, `filter/` and `blend/`, in f32
 //! as they do.
 
+mod reader;
+
 use glam::{Vec2, Vec3};
-use umbrage_core::{
-    Filter, RASTER_STEP_TEXELS, Rays, Select, Settings, ShadowPlan, ShadowView, kernel_half_width_texels,
-};
+use umbrage_core::{RASTER_STEP_TEXELS, Rays, Select, Settings, ShadowPlan, ShadowView};
+
+use self::reader::Reader;
 
 use crate::maps::MapTexels;
 
@@ -22,11 +24,17 @@ pub struct Lookup<'a> {
     pub maps: &'a MapTexels,
 }
 
-/// A place in a tile, in texels, and what to compare: there, and how much more a texel on.
-struct Place {
-    texel: Vec2,
-    reference: f32,
-    gradient: Vec2,
+/// A place in a tile, and what to compare there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// In texels from the tile's upper left corner.
+    pub texel: Vec2,
+    /// Depth to compare with.
+    pub reference: f32,
+    /// How much that grows from a texel to the next, to the right and downward.
+    pub gradient: Vec2,
+    /// Sides of a texel there across the light, to the right and downward, metres.
+    pub texel_metres: Vec2,
 }
 
 /// A receiver of one light's shadows, and what it is looked up with.
@@ -40,6 +48,8 @@ struct Receiver<'a> {
     normal: Vec3,
     /// From the eye, metres.
     depth: f32,
+    /// Its place on the screen.
+    pixel: Vec2,
 }
 
 /// The view whose map serves a receiver; `None` where none does, and the receiver counts as lit. `world_normal` is unit
@@ -55,27 +65,40 @@ pub fn view_of<'a>(
 }
 
 impl Lookup<'_> {
-    /// How much of a light reaches a point, from 0 to 1. `world_normal` is unit and geometric.
+    /// How much of a light reaches a point, from 0 to 1. `world_normal` is unit and geometric, on the side that is seen.
     pub fn visibility(&self, light: usize, world_position: Vec3, world_normal: Vec3) -> f32 {
+        self.visibility_at(light, world_position, world_normal, Vec2::splat(0.5))
+    }
+
+    /// The same for a pixel of the picture, which filters with noise on the screen ask for.
+    pub fn visibility_at(&self, light: usize, world_position: Vec3, world_normal: Vec3, pixel: Vec2) -> f32 {
         let Self { plan, settings, .. } = *self;
+        let Some(of) = plan.lights().get(light) else { return 1.0 };
+        let cosine = world_normal.dot(of.direction_from(world_position));
+        if cosine <= 0.0 {
+            return 0.0;
+        }
         let receiver = Receiver::new(plan, settings, light, world_position, world_normal);
-        receiver.and_then(|receiver| Some(self.blended(&receiver, receiver.view()?))).unwrap_or(1.0)
+        let receiver = receiver.map(|receiver| Receiver { pixel, ..receiver });
+        let visible =
+            receiver.and_then(|receiver| Some(self.blended(&receiver, receiver.view()?))).unwrap_or(1.0);
+        visible * smoothstep(cosine / settings.bias.terminator.max(1e-30))
     }
 
     /// What a view says of a receiver. Points outside the map are lit.
-    fn read(&self, view: &ShadowView, place: &Place) -> f32 {
+    fn read(&self, view: &ShadowView, place: &Place, receiver: &Receiver<'_>) -> f32 {
         let size = Vec2::splat(view.tile.size as f32);
         let outside = place.texel.cmplt(Vec2::ZERO).any() || place.texel.cmpgt(size).any();
         if outside || place.reference > 1.0 {
             return 1.0;
         }
-        self.filter(view, place.texel, place.reference, place.gradient)
+        self.filter(view, place, receiver.position, receiver.pixel)
     }
 
     /// As `umbrage_blend` of the shaders.
     fn blended(&self, receiver: &Receiver<'_>, view: &ShadowView) -> f32 {
         let place = receiver.place(view);
-        let own = self.read(view, &place);
+        let own = self.read(view, &place, receiver);
         let blend = self.settings.blend;
         if blend == 0.0 {
             return own;
@@ -92,7 +115,7 @@ impl Lookup<'_> {
         };
         let next = if is_cube || share >= 1.0 { None } else { receiver.next(view) };
         let mixed = match next {
-            Some(next) => mix(self.read(next, &receiver.place(next)), own, smoothstep(share)),
+            Some(next) => mix(self.read(next, &receiver.place(next), receiver), own, smoothstep(share)),
             None => own,
         };
         let end = self.plan.splits().last().map_or(0.0, |end| *end as f32);
@@ -101,40 +124,12 @@ impl Lookup<'_> {
         mix(1.0, mixed, smoothstep(left))
     }
 
-    /// What the filter makes of a place in a view's tile, given in texels from its upper left corner. `reference` is the
-    /// depth to compare with there, `gradient` how much that grows from a texel to the next, to the right and downward.
-    pub fn filter(&self, view: &ShadowView, texel: Vec2, reference: f32, gradient: Vec2) -> f32 {
-        let lit = |x: i64, y: i64| {
-            let last = i64::from(view.tile.size) - 1;
-            let (x, y) = (x.clamp(0, last), y.clamp(0, last));
-            let centre = Vec2::new(x as f32, y as f32) + 0.5;
-            let reference = (reference + gradient.dot(centre - texel)).min(1.0);
-            f32::from(u8::from(reference <= self.maps.depth(view.tile, x, y)))
-        };
-        match self.settings.filter {
-            Filter::Hard {} => lit(texel.x.floor() as i64, texel.y.floor() as i64),
-            Filter::Bilinear {} => bilinear(view, texel, lit),
-            Filter::Pcf { size } => {
-                let reach = (size / 2) as i32;
-                let taps = (-reach..=reach)
-                    .flat_map(|y| (-reach..=reach).map(move |x| Vec2::new(x as f32, y as f32)));
-                taps.map(|tap| bilinear(view, texel + tap, lit)).sum::<f32>() / (size * size) as f32
-            }
-        }
+    /// What the filter makes of a place in a view's tile. Where a receiver is in the world and on the screen matters to
+    /// filters with noise alone. Moments are read at their full size.
+    pub fn filter(&self, view: &ShadowView, place: &Place, world_position: Vec3, pixel: Vec2) -> f32 {
+        let Self { plan, settings, maps } = *self;
+        Reader { plan, settings, maps, view, place: *place }.visibility(world_position, pixel)
     }
-}
-
-/// Four comparisons around a place in a view's tile, weighted bilinearly.
-fn bilinear(view: &ShadowView, texel: Vec2, lit: impl Fn(i64, i64) -> f32) -> f32 {
-    let inside = texel.clamp(Vec2::splat(0.5), Vec2::splat(view.tile.size as f32 - 0.5)) - 0.5;
-    let (corner, share) = (inside.floor(), inside - inside.floor());
-    let (x, y) = (corner.x as i64, corner.y as i64);
-    let row = |y| {
-        let (left, right) = (lit(x, y), lit(x + 1, y));
-        left + (right - left) * share.x
-    };
-    let (upper, lower) = (row(y), row(y + 1));
-    upper + (lower - upper) * share.y
 }
 
 impl<'a> Receiver<'a> {
@@ -150,7 +145,8 @@ impl<'a> Receiver<'a> {
         let forward = camera.forward();
         let depth = forward.extend(-forward.dot(camera.eye())).dot(position.extend(1.0));
         let is_within = plan.splits().last().is_some_and(|end| depth <= *end as f32);
-        let receiver = Self { plan, settings, light, position, normal, depth };
+        let pixel = Vec2::splat(0.5);
+        let receiver = Self { plan, settings, light, position, normal, depth, pixel };
         (is_within && light < plan.lights().len()).then_some(receiver)
     }
 
@@ -189,7 +185,7 @@ impl<'a> Receiver<'a> {
     /// Whether a view's map holds the whole footprint of the filter.
     fn is_held_by(&self, view: &ShadowView) -> bool {
         let place = self.place(view);
-        let low = Vec2::splat(kernel_half_width_texels(self.settings.filter));
+        let low = Vec2::splat(self.settings.filter.reach_texels());
         let high = Vec2::splat(view.tile.size as f32) - low;
         let inside = place.texel.cmpge(low).all() && place.texel.cmple(high).all();
         let nearest = place.reference - place.gradient.abs().dot(low);
@@ -199,7 +195,8 @@ impl<'a> Receiver<'a> {
     fn place(&self, view: &ShadowView) -> Place {
         let Self { settings, position, normal, .. } = *self;
         if (view.clip_from_world * position.extend(1.0)).w <= 0.0 {
-            return Place { texel: Vec2::NEG_ONE, reference: 2.0, gradient: Vec2::ZERO };
+            let (texel, gradient) = (Vec2::NEG_ONE, Vec2::ZERO);
+            return Place { texel, reference: 2.0, gradient, texel_metres: Vec2::ONE };
         }
         let to_light = self.plan.lights()[view.light].direction_from(position);
         let footing = view.texel_at(position);
@@ -212,6 +209,7 @@ impl<'a> Receiver<'a> {
                 - footing.slope(normal, to_light).abs().element_sum() * RASTER_STEP_TEXELS
                 - settings.depth.step(),
             gradient: settings.reference_gradient(&footing, normal, to_light),
+            texel_metres: Vec2::new(footing.right.length(), footing.down.length()),
         }
     }
 }

@@ -28,6 +28,12 @@ impl Maps {
         if width > most || height > most || layout.layers > most_layers {
             return Err(ShadowError::TooLarge { width, height, layers: layout.layers, most, most_layers });
         }
+        Ok(Self::of(device, layout, capabilities))
+    }
+
+    /// As [`Self::new`], for a layout that is within the limits.
+    pub fn of(device: &wgpu::Device, layout: MapLayout, capabilities: Capabilities) -> Self {
+        let (width, height) = (layout.width, layout.height);
         let texture = device.create_texture(&wgpu::TextureDescriptor {
             label: Some("Maps::texture"),
             size: wgpu::Extent3d {
@@ -64,7 +70,7 @@ impl Maps {
                 })
             })
             .collect();
-        Ok(Self { layout, texture, all, layers })
+        Self { layout, texture, all, layers }
     }
 
     /// Size of the texture, texels.

@@ -1,18 +1,23 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Bounds, Camera, Filter, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView, plan,
+    Bounds, Camera, Filter, Layer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView,
+    plan,
 };
 
 use crate::capabilities::Capabilities;
 use crate::caster_pass::{self, CasterVertex};
+use crate::compute::{DEPTH_MAPS, Inputs, frame_and_view, frame_entry};
 use crate::error::ShadowError;
 use crate::gpu_types;
+use crate::layers::{Layers, offset};
 use crate::maps::{MapTexels, Maps};
+use crate::prefilter::{MomentFormat, MomentMaps};
+use crate::sums::SumMaps;
 use crate::wgsl::receiver_wgsl;
 
 /// Offsets of uniform bindings must be multiples of this on every adapter (the default limit of WebGPU).
-const VIEW_INDEX_STRIDE: u32 = 256;
+pub(crate) const VIEW_INDEX_STRIDE: u32 = 256;
 
 /// Shadow maps for some lights, and what shaders need to draw and to read them.
 #[derive(Debug)]
@@ -27,6 +32,10 @@ pub struct Shadows {
     caster_group: wgpu::BindGroup,
     receiver_layout: wgpu::BindGroupLayout,
     receiver_group: wgpu::BindGroup,
+    layers: Option<Layers>,
+    moments: Option<MomentMaps>,
+    sums: Option<SumMaps>,
+    picture_size: [u32; 2],
 }
 
 impl Shadows {
@@ -65,6 +74,7 @@ impl Shadows {
         views: u32,
     ) -> Result<Self, ShadowError> {
         let capabilities = Capabilities::of(device);
+        check_supported(&settings, capabilities)?;
         settings.unclipped_depth &= capabilities.unclipped_depth;
         let maps = Maps::new(device, layout, capabilities)?;
         let frame = device.create_buffer(&wgpu::BufferDescriptor {
@@ -74,34 +84,37 @@ impl Shadows {
             mapped_at_creation: false,
         });
         let view_indices = view_indices(device, views);
+        let inputs = Inputs { device, frame: &frame, view_indices: &view_indices };
+        let layers = Layers::new(inputs, &settings, capabilities, layout);
+        let moments = MomentMaps::new(inputs, &settings.filter, capabilities, &maps.all, layout);
+        let sums = SumMaps::new(inputs, &settings.filter, capabilities, &maps.all, layout);
         let caster_layout = caster_pass::bind_group_layout(device);
         let caster_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("Shadows::caster_group"),
             layout: &caster_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry {
-                    binding: 1,
-                    resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                        buffer: &view_indices,
-                        offset: 0,
-                        size: wgpu::BufferSize::new(16),
-                    }),
-                },
-            ],
+            entries: &frame_and_view(&frame, &view_indices),
         });
-        let receiver_layout = receiver_layout(device);
+        let filtered = moments.as_ref().map(|moments| &moments.all).or(sums.as_ref().map(|sums| &sums.all));
+        let receiver_layout = receiver_layout(device, &settings.filter, capabilities);
+        let comparison = comparison_sampler(device, &settings.filter);
+        let smooth = smooth_sampler(device, &settings.filter);
+        let mut entries = vec![
+            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&maps.all) },
+            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&comparison) },
+        ];
+        if let Some(filtered) = filtered {
+            let resource = wgpu::BindingResource::TextureView(filtered);
+            entries.push(wgpu::BindGroupEntry { binding: 3, resource });
+        }
+        if moments.is_some() && MomentFormat::of(&settings.filter, capabilities).is_filterable {
+            entries
+                .push(wgpu::BindGroupEntry { binding: 4, resource: wgpu::BindingResource::Sampler(&smooth) });
+        }
         let receiver_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("Shadows::receiver_group"),
             layout: &receiver_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&maps.all) },
-                wgpu::BindGroupEntry {
-                    binding: 2,
-                    resource: wgpu::BindingResource::Sampler(&comparison_sampler(device, settings.filter)),
-                },
-            ],
+            entries: &entries,
         });
         Ok(Self {
             settings,
@@ -113,6 +126,10 @@ impl Shadows {
             caster_group,
             receiver_layout,
             receiver_group,
+            layers,
+            moments,
+            sums,
+            picture_size: PICTURE_SIZE,
         })
     }
 
@@ -153,9 +170,16 @@ impl Shadows {
         Ok(views <= self.views && self.maps.layout.holds(&MapLayout::of_lights(&self.settings, lights)?))
     }
 
-    /// Tells the GPU of a plan. Draw the plan's views after it, then shade.
+    /// Says how large the camera's picture is, pixels: what filters that keep moments in several sizes choose among them by.
+    /// 1920 × 1080 until then.
+    pub fn set_picture_size(&mut self, width: u32, height: u32) {
+        self.picture_size = [width.max(1), height.max(1)];
+    }
+
+    /// Tells the GPU of a plan. Draw the plan's views after it, then [`Self::finish`], then shade.
     pub fn upload(&mut self, queue: &wgpu::Queue, plan: &ShadowPlan) {
-        queue.write_buffer(&self.frame, 0, &gpu_types::frame(plan, &self.settings, self.maps.size()));
+        let frame = gpu_types::frame(plan, &self.settings, self.maps.size(), self.picture_size);
+        queue.write_buffer(&self.frame, 0, &frame);
     }
 
     /// Starts the pass that draws a view's casters: its tile is cleared, viewport, scissor and group 0 are set. Draw
@@ -175,19 +199,80 @@ impl Shadows {
         view: &ShadowView,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) -> wgpu::RenderPass<'e> {
-        let mut pass = self.maps.begin(encoder, view, timestamp_writes);
-        pass.set_bind_group(0, &self.caster_group, &[view.index as u32 * VIEW_INDEX_STRIDE]);
+        let maps = self.layers.as_ref().map_or(&self.maps, |layers| &layers.first);
+        let mut pass = maps.begin(encoder, view, timestamp_writes);
+        pass.set_bind_group(0, &self.caster_group, &[offset(view)]);
         pass
+    }
+
+    /// Where `bias.layer` asks for a second surface: starts the pass that draws a view's casters once more, with the pipeline
+    /// of [`Self::second_caster_pipeline`], after the view's first pass. `None` where it does not.
+    pub fn begin_second<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        view: &ShadowView,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) -> Option<wgpu::RenderPass<'e>> {
+        let layers = self.layers.as_ref()?;
+        let mut pass = layers.second.begin(encoder, view, timestamp_writes);
+        pass.set_bind_group(0, &layers.peel_group, &[offset(view)]);
+        Some(pass)
+    }
+
+    /// Makes of the casters that were drawn what lookups read: the surface between two layers, moments, sums. Call it
+    /// after the last view; for filters that read depths it does nothing.
+    pub fn finish(&self, encoder: &mut wgpu::CommandEncoder, plan: &ShadowPlan) {
+        self.finish_timed(encoder, plan, None);
+    }
+
+    /// As [`Self::finish`], and writes timestamps where [`Self::has_filter_pass`].
+    pub fn finish_timed(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        plan: &ShadowPlan,
+        timestamp_writes: Option<wgpu::ComputePassTimestampWrites<'_>>,
+    ) {
+        if let Some(layers) = &self.layers {
+            layers.join(encoder, &self.maps, plan);
+        }
+        if !self.has_filter_pass() {
+            return;
+        }
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some("Shadows::filter_pass"),
+            timestamp_writes,
+        });
+        if let Some(moments) = &self.moments {
+            moments.record(&mut pass, plan);
+        }
+        if let Some(sums) = &self.sums {
+            sums.record(&mut pass, plan);
+        }
+    }
+
+    /// Whether [`Self::finish`] has something to compute.
+    pub fn has_filter_pass(&self) -> bool {
+        self.moments.is_some() || self.sums.is_some()
     }
 
     /// A depth-only pipeline for the caller's vertices, with the settings' raster bias and faces.
     pub fn caster_pipeline(&self, device: &wgpu::Device, vertex: &CasterVertex<'_>) -> wgpu::RenderPipeline {
-        caster_pass::pipeline(device, &self.settings, self.capabilities, &self.caster_layout, vertex)
+        caster_pass::pipeline(device, &self.settings, self.capabilities, &self.caster_layout, vertex, false)
+    }
+
+    /// The same for [`Self::begin_second`]; `None` where there is no second surface.
+    pub fn second_caster_pipeline(
+        &self,
+        device: &wgpu::Device,
+        vertex: &CasterVertex<'_>,
+    ) -> Option<wgpu::RenderPipeline> {
+        let layout = &self.layers.as_ref()?.peel_layout;
+        Some(caster_pass::pipeline(device, &self.settings, self.capabilities, layout, vertex, true))
     }
 
     /// WGSL to put in front of a shader that asks for visibility; see [`receiver_wgsl`].
     pub fn wgsl(&self, group: u32) -> String {
-        receiver_wgsl(&self.settings, group)
+        receiver_wgsl(&self.settings, self.capabilities, group)
     }
 
     /// The layout of [`Self::bind_group`].
@@ -203,6 +288,15 @@ impl Shadows {
     /// The settings in force; `unclipped_depth` is off where the device cannot do it.
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// Bytes of everything that lookups read and that it is made from: maps, second surfaces, moments, sums, scratch.
+    pub fn bytes(&self) -> u64 {
+        let Self { layers, moments, sums, maps, .. } = self;
+        maps.layout.bytes()
+            + layers.as_ref().map_or(0, Layers::bytes)
+            + moments.as_ref().map_or(0, |moments| moments.bytes)
+            + sums.as_ref().map_or(0, |sums| sums.bytes)
     }
 
     /// How the maps lie in their texture; says how many texels and bytes they are.
@@ -224,48 +318,77 @@ impl Shadows {
     }
 }
 
-fn receiver_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE,
-        ty,
-        count: None,
+/// The picture that a camera is taken to fill until it is said, pixels.
+const PICTURE_SIZE: [u32; 2] = [1920, 1080];
+
+/// Whether a device can do what settings ask for.
+fn check_supported(settings: &Settings, capabilities: Capabilities) -> Result<(), ShadowError> {
+    let Settings { filter, bias, .. } = settings;
+    let loads = filter.light_size().is_some() || filter.moments(1.0).is_some() || bias.layer != Layer::First;
+    if loads && !capabilities.loads_depth {
+        return Err(ShadowError::Unsupported {
+            what: "a soft filter, a filter of moments, or a second `bias.layer`",
+            missing: "shaders that read depths as numbers",
+            remedy: "use Vulkan, Metal, DX12 or WebGPU, or a filter that compares, as optimised or vogel",
+        });
+    }
+    Ok(())
+}
+
+fn receiver_layout(
+    device: &wgpu::Device,
+    filter: &Filter,
+    capabilities: Capabilities,
+) -> wgpu::BindGroupLayout {
+    let visibility = wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE;
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
+    let array_of = |sample_type| wgpu::BindingType::Texture {
+        sample_type,
+        view_dimension: wgpu::TextureViewDimension::D2Array,
+        multisampled: false,
     };
+    let mut entries = vec![
+        frame_entry(visibility),
+        entry(1, DEPTH_MAPS),
+        entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
+    ];
+    if filter.prefilter().is_some() {
+        let filterable = MomentFormat::of(filter, capabilities).is_filterable;
+        entries.push(entry(3, array_of(wgpu::TextureSampleType::Float { filterable })));
+        if filterable {
+            entries.push(entry(4, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)));
+        }
+    } else if filter.moments(1.0).is_some() {
+        entries.push(entry(3, array_of(wgpu::TextureSampleType::Uint)));
+    }
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("Shadows::receiver_layout"),
-        entries: &[
-            entry(
-                0,
-                wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Storage { read_only: true },
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-            ),
-            entry(
-                1,
-                wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Depth,
-                    view_dimension: wgpu::TextureViewDimension::D2Array,
-                    multisampled: false,
-                },
-            ),
-            entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
-        ],
+        entries: &entries,
     })
 }
 
 /// Lit where the reference is not greater than what is stored.
-fn comparison_sampler(device: &wgpu::Device, filter: Filter) -> wgpu::Sampler {
-    let mode = match filter {
-        Filter::Hard {} => wgpu::FilterMode::Nearest,
-        Filter::Bilinear {} | Filter::Pcf { .. } => wgpu::FilterMode::Linear,
-    };
+fn comparison_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
+    let is_hard = matches!(filter, Filter::Hard {});
+    let mode = if is_hard { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
     device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("Shadows::comparison_sampler"),
         mag_filter: mode,
         min_filter: mode,
         compare: Some(wgpu::CompareFunction::LessEqual),
+        ..Default::default()
+    })
+}
+
+/// For moments.
+fn smooth_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
+    let prefilter = filter.prefilter().copied().unwrap_or_default();
+    device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("Shadows::smooth_sampler"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Linear,
+        anisotropy_clamp: if prefilter.levels > 1 { prefilter.anisotropy as u16 } else { 1 },
         ..Default::default()
     })
 }

@@ -2,16 +2,24 @@
 
 use std::fmt::Write as _;
 
-use umbrage_core::{
-    Filter, Footing, RASTER_STEP_TEXELS, Reference, Select, Settings, Shade, kernel_half_width_texels,
-};
+use glam::Vec2;
+use umbrage_core::kernel::{POISSON, poisson, vogel};
+use umbrage_core::{Disc, Filter, Footing, RASTER_STEP_TEXELS, Reference, Seed, Select, Settings, Shade};
 
-const FRAME: &str = include_str!("../shaders/frame.wgsl");
+use crate::capabilities::Capabilities;
+use crate::moments::moments_wgsl;
+use crate::prefilter::MomentFormat;
+use crate::sums::sum_scale;
+
+pub(crate) const FRAME: &str = include_str!("../shaders/frame.wgsl");
+pub(crate) const DEPTH: &str = include_str!("../shaders/depth.wgsl");
 const CASTER: &str = include_str!("../shaders/caster.wgsl");
 const FOOTING: &str = include_str!("../shaders/footing.wgsl");
 const RECEIVER: &str = include_str!("../shaders/receiver.wgsl");
-
 const FADE: &str = include_str!("../shaders/blend/fade.wgsl");
+const PENUMBRA: &str = include_str!("../shaders/penumbra.wgsl");
+const PCG: &str = include_str!("../shaders/noise/pcg.wgsl");
+const BOX: &str = include_str!("../shaders/sample/box.wgsl");
 
 /// WGSL for a caster's vertex shader: `umbrage_caster_position(world_position) -> vec4f`. Its bindings are group 0 of
 /// the pipeline; yours start at 1.
@@ -22,8 +30,8 @@ pub fn caster_wgsl() -> String {
 /// WGSL for a receiver's fragment shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
 /// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`. Its bindings are group
 /// `group` of the pipeline. The text depends on `select`, `blend`, `filter`, `warp`, `bias.receiver_plane`
-/// and `shade` of the settings.
-pub fn receiver_wgsl(settings: &Settings, group: u32) -> String {
+/// and `shade` of the settings, and on what the device can do.
+pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32) -> String {
     let select = match settings.select {
         Select::Depth => include_str!("../shaders/select/depth.wgsl"),
         Select::ClipDepth => include_str!("../shaders/select/clip_depth.wgsl"),
@@ -39,47 +47,217 @@ pub fn receiver_wgsl(settings: &Settings, group: u32) -> String {
         Reference::Facing => include_str!("../shaders/reference/facing.wgsl"),
         Reference::Own => include_str!("../shaders/reference/own.wgsl"),
     };
-    let filter = match (settings.filter, settings.reference()) {
-        (Filter::Hard {}, _) => include_str!("../shaders/filter/hard.wgsl"),
-        (Filter::Bilinear {}, Reference::Own) => include_str!("../shaders/filter/bilinear.wgsl"),
-        (Filter::Pcf { .. }, Reference::Own) => include_str!("../shaders/filter/pcf.wgsl"),
-        (Filter::Bilinear {} | Filter::Pcf { .. }, Reference::Plane | Reference::Facing) => {
-            include_str!("../shaders/filter/each.wgsl")
-        }
-    };
     let shade = match settings.shade {
         Shade::Absence { .. } => include_str!("../shaders/shade/absence.wgsl"),
         Shade::Colour { .. } => include_str!("../shaders/shade/colour.wgsl"),
     };
-    [FRAME, &constants(settings), FOOTING, RECEIVER, select, reference, filter, blend[0], blend[1], shade]
-        .join("\n")
-        .replace("@group(0)", &format!("@group({group})"))
+    let mut text = vec![FRAME.to_owned(), constants(settings)];
+    text.extend([FOOTING, RECEIVER, select, reference, blend[0], blend[1], shade].map(str::to_owned));
+    text.extend(filter(settings, capabilities));
+    text.join("\n").replace("@group(0)", &format!("@group({group})"))
 }
 
 /// The numbers that a pipeline fixes.
 fn constants(settings: &Settings) -> String {
-    let half_width = kernel_half_width_texels(settings.filter);
+    let reach = settings.filter.reach_texels();
     // Writing to a string cannot fail.
-    let mut text = format!("const UMBRAGE_KERNEL_HALF_WIDTH: f32 = {half_width:?};\n");
+    let mut text = format!("const UMBRAGE_FILTER_REACH: f32 = {reach:?};\n");
     let _ = writeln!(text, "const UMBRAGE_STEEPEST_PLANE: f32 = {:?};", Footing::STEEPEST_PLANE);
     let _ = writeln!(text, "const UMBRAGE_RASTER_STEP: f32 = {RASTER_STEP_TEXELS:?};");
     if settings.blend > 0.0 {
         let _ = writeln!(text, "const UMBRAGE_BLEND: f32 = {:?};", settings.blend);
     }
-    let pcf_size = match settings.filter {
-        Filter::Hard {} => None,
-        Filter::Bilinear {} => Some(1),
-        Filter::Pcf { size } => Some(size),
-    };
-    if let Some(size) = pcf_size {
-        let _ = writeln!(text, "const UMBRAGE_PCF_SIZE: i32 = {size};");
-    }
     text
+}
+
+/// The files that define `umbrage_filter` and `umbrage_offset_reach`, with the numbers that they ask for.
+fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
+    let is_each = matches!(settings.reference(), Reference::Plane | Reference::Facing);
+    let tap = if is_each {
+        include_str!("../shaders/tap/one.wgsl")
+    } else {
+        include_str!("../shaders/tap/four.wgsl")
+    };
+    let texts = match &settings.filter {
+        Filter::Hard {} => vec![fixed_reach(settings), text(include_str!("../shaders/filter/hard.wgsl"))],
+        Filter::Bilinear {} => {
+            kernel(settings, 1, tap, include_str!("../shaders/filter/bilinear.wgsl"), BOX_KERNEL)
+        }
+        Filter::Pcf { size } => {
+            kernel(settings, *size, tap, include_str!("../shaders/filter/pcf.wgsl"), BOX_KERNEL)
+        }
+        Filter::Optimised { size } => {
+            kernel(settings, *size, tap, include_str!("../shaders/filter/optimised.wgsl"), BELL_KERNEL)
+        }
+        Filter::Poisson(of) => disc(of, include_str!("../shaders/points/fixed.wgsl"), tap, table(of)),
+        Filter::Stratified(of) => disc(of, include_str!("../shaders/points/picked.wgsl"), tap, table(of)),
+        Filter::Rotated(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, table(of)),
+        Filter::Vogel(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, spiral(of.taps)),
+        Filter::Pcss(of) => {
+            let mut numbers =
+                points("UMBRAGE_POINTS", &spiral(of.taps)) + &points("UMBRAGE_SEARCH", &spiral(of.blockers));
+            let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
+            let _ = writeln!(numbers, "const UMBRAGE_BLOCKERS: u32 = {}u;", of.blockers);
+            let _ = writeln!(numbers, "const UMBRAGE_MOST_TEXELS: f32 = {:?};", of.most_texels);
+            let files = [
+                PCG,
+                noise(of.seed),
+                include_str!("../shaders/points/turned.wgsl"),
+                tap,
+                DEPTH,
+                PENUMBRA,
+                include_str!("../shaders/filter/pcss.wgsl"),
+            ];
+            [fixed_reach(settings), numbers].into_iter().chain(files.map(text)).collect()
+        }
+        Filter::Vsm(_) | Filter::Esm(_) | Filter::Evsm2(_) | Filter::Evsm4(_) | Filter::Msm(_) => {
+            moments(settings, capabilities)
+        }
+        Filter::Savsm(of) => {
+            let radius = radius(of.radius, of.radius_texels);
+            let files = [DEPTH, BOX, include_str!("../shaders/filter/summed.wgsl")].map(text);
+            [fixed_reach(settings), radius, summed(settings)].into_iter().chain(files).collect()
+        }
+        Filter::Mssm(of) => {
+            let numbers = format!("const UMBRAGE_MOST_TEXELS: f32 = {:?};\n", of.most_texels);
+            let files = [
+                include_str!("../shaders/moments/msm_blocker.wgsl"),
+                DEPTH,
+                PENUMBRA,
+                BOX,
+                include_str!("../shaders/filter/summed_soft.wgsl"),
+            ];
+            [fixed_reach(settings), numbers, summed(settings)].into_iter().chain(files.map(text)).collect()
+        }
+    };
+    texts
+}
+
+const BOX_KERNEL: &str = include_str!("../shaders/kernel/box.wgsl");
+const BELL_KERNEL: &str = include_str!("../shaders/kernel/bell.wgsl");
+
+fn text(file: &str) -> String {
+    file.to_owned()
+}
+
+/// The offset along the normal reaches as far everywhere.
+fn fixed_reach(settings: &Settings) -> String {
+    let reach = settings.filter.offset_reach_texels(1.0);
+    format!("const UMBRAGE_OFFSET_REACH: f32 = {reach:?};\n") + include_str!("../shaders/reach/fixed.wgsl")
+}
+
+/// A grid of lookups: `with_sampler` where one depth serves four texels.
+fn kernel(settings: &Settings, size: u32, tap: &str, with_sampler: &str, weights: &str) -> Vec<String> {
+    let size = format!("const UMBRAGE_KERNEL_SIZE: i32 = {size};\n");
+    let files = match settings.reference() {
+        Reference::Own => [tap, with_sampler],
+        Reference::Plane | Reference::Facing => [weights, include_str!("../shaders/filter/each.wgsl")],
+    };
+    [fixed_reach(settings), size].into_iter().chain(files.map(text)).collect()
+}
+
+/// Points on a disc.
+fn disc(disc: &Disc, place: &str, tap: &str, of: Vec<Vec2>) -> Vec<String> {
+    let mut numbers =
+        points("UMBRAGE_POINTS", &of) + &points("UMBRAGE_TABLE", &POISSON_OF[usize::from(disc.centred)]());
+    let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.len());
+    let _ = writeln!(numbers, "const UMBRAGE_BAIL: bool = {};", disc.bail);
+    let files = [
+        include_str!("../shaders/reach/disc.wgsl"),
+        PCG,
+        noise(disc.seed),
+        place,
+        tap,
+        include_str!("../shaders/filter/disc.wgsl"),
+    ];
+    [numbers, radius(disc.radius, disc.radius_texels)].into_iter().chain(files.map(text)).collect()
+}
+
+/// The whole table: as the tutorial has it, and centred.
+const POISSON_OF: [fn() -> Vec<Vec2>; 2] = [|| POISSON.to_vec(), || poisson(POISSON.len(), true).collect()];
+
+fn table(disc: &Disc) -> Vec<Vec2> {
+    poisson(disc.taps as usize, disc.centred).collect()
+}
+
+fn spiral(count: u32) -> Vec<Vec2> {
+    (0..count as usize).map(|i| vogel(i, count as usize)).collect()
+}
+
+fn points(name: &str, points: &[Vec2]) -> String {
+    let list: Vec<String> = points.iter().map(|p| format!("vec2f({:?}, {:?})", p.x, p.y)).collect();
+    format!("const {name} = array<vec2f, {}>({});\n", points.len(), list.join(", "))
+}
+
+fn noise(seed: Seed) -> &'static str {
+    match seed {
+        Seed::Screen => include_str!("../shaders/noise/screen.wgsl"),
+        Seed::World => include_str!("../shaders/noise/world.wgsl"),
+        Seed::None => include_str!("../shaders/noise/none.wgsl"),
+    }
+}
+
+fn radius(metres: Option<f32>, texels: f32) -> String {
+    let most = format!("const UMBRAGE_RADIUS_TEXELS: f32 = {texels:?};\n");
+    match metres {
+        None => most + include_str!("../shaders/radius/texels.wgsl"),
+        Some(metres) => {
+            most + &format!("const UMBRAGE_RADIUS: f32 = {metres:?};\n")
+                + include_str!("../shaders/radius/metres.wgsl")
+        }
+    }
+}
+
+/// A blurred map of moments.
+fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
+    let (Some(moments), Some(prefilter)) = (settings.filter.moments(1.0), settings.filter.prefilter()) else {
+        return Vec::new();
+    };
+    let format = MomentFormat::of(&settings.filter, capabilities);
+    let levels = format.levels(prefilter);
+    let sample = match (format.is_filterable, levels) {
+        (false, _) => include_str!("../shaders/sample/loaded.wgsl"),
+        (true, 1) => include_str!("../shaders/sample/level.wgsl"),
+        (true, _) => include_str!("../shaders/sample/footprint.wgsl"),
+    };
+    let inset = 0.5 * (prefilter.shrink << (levels - 1)) as f32;
+    let numbers =
+        format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n") + &least_deviation(&settings.filter);
+    let files = [
+        DEPTH,
+        include_str!("../shaders/sample/inside.wgsl"),
+        sample,
+        include_str!("../shaders/filter/moments.wgsl"),
+    ];
+    [fixed_reach(settings), numbers, moments_wgsl(&moments)].into_iter().chain(files.map(text)).collect()
+}
+
+/// A summed-area table of moments.
+fn summed(settings: &Settings) -> String {
+    let Some(moments) = settings.filter.moments(1.0) else { return String::new() };
+    let scale = sum_scale(&settings.filter);
+    format!("const UMBRAGE_SUM_SCALE: f32 = {scale:?};\n")
+        + &least_deviation(&settings.filter)
+        + &moments_wgsl(&moments)
+}
+
+/// The least deviation that a map of moments counts with, metres; 0 where it asks for none.
+fn least_deviation(filter: &Filter) -> String {
+    let metres = match filter {
+        Filter::Vsm(of) => of.least_deviation,
+        Filter::Savsm(of) => of.least_deviation,
+        Filter::Evsm2(of) | Filter::Evsm4(of) => of.least_deviation,
+        _ => 0.0,
+    };
+    format!("const UMBRAGE_LEAST_DEVIATION: f32 = {metres:?};\n")
 }
 
 #[cfg(test)]
 mod tests {
-    use umbrage_core::{Bias, Warp};
+    use umbrage_core::{
+        Bias, Exponential, ExponentialVariance, FourMoments, Pcss, Prefilter, SoftMoments, SummedVariance,
+        Variance, Warp,
+    };
 
     use super::*;
 
@@ -91,28 +269,70 @@ mod tests {
         validator.validate(&module).unwrap_or_else(|e| panic!("{what}: {}", e.emit_to_string(text)));
     }
 
+    /// Every kind of filter, with every file that one can ask for.
+    fn filters() -> Vec<Filter> {
+        let sizes = [1, 3, 5, 7, 9].map(|size| Filter::Pcf { size });
+        let bells = [3, 5, 7].map(|size| Filter::Optimised { size });
+        let disc = Disc::default();
+        let discs = [
+            disc,
+            Disc { radius: Some(0.1), seed: Seed::World, bail: true, ..disc },
+            Disc { seed: Seed::None, ..disc },
+        ];
+        let discs = discs.into_iter().flat_map(|disc| {
+            [Filter::Poisson(disc), Filter::Stratified(disc), Filter::Rotated(disc), Filter::Vogel(disc)]
+        });
+        let prefilters =
+            [Prefilter::default(), Prefilter { levels: 4, anisotropy: 8, ..Prefilter::default() }];
+        let moments = prefilters.into_iter().flat_map(|prefilter| {
+            let evsm = ExponentialVariance { prefilter, ..ExponentialVariance::default() };
+            [
+                Filter::Vsm(Variance { prefilter, ..Variance::default() }),
+                Filter::Esm(Exponential { prefilter, ..Exponential::default() }),
+                Filter::Evsm2(evsm),
+                Filter::Evsm4(evsm),
+                Filter::Msm(FourMoments { prefilter, ..FourMoments::default() }),
+            ]
+        });
+        let savsm = SummedVariance::default();
+        let others = [
+            Filter::Hard {},
+            Filter::Bilinear {},
+            Filter::Pcss(Pcss::default()),
+            Filter::Savsm(savsm),
+            Filter::Savsm(SummedVariance { radius: Some(0.1), ..savsm }),
+            Filter::Mssm(SoftMoments::default()),
+        ];
+        others.into_iter().chain(sizes).chain(bells).chain(discs).chain(moments).collect()
+    }
+
     #[test]
     fn every_combination_of_files_is_valid_wgsl() {
         validate("caster", &caster_wgsl());
-        let filters = [Filter::Hard {}, Filter::Bilinear {}]
-            .into_iter()
-            .chain([1, 3, 5, 7, 9].map(|size| Filter::Pcf { size }));
-        for filter in filters {
+        for filter in filters() {
             for select in [Select::Depth, Select::ClipDepth, Select::Map] {
-                for shade in [
-                    Shade::Absence { darkness: 1.0 },
-                    Shade::Colour { shadow_colour: [0.0, 0.0, 0.0, 0.5], darkness: 1.0 },
+                for (receiver_plane, blend, warp, shade) in [
+                    (false, 0.0, Warp::None, Shade::Absence { darkness: 1.0 }),
+                    (true, 0.0, Warp::None, Shade::Absence { darkness: 1.0 }),
+                    (
+                        false,
+                        0.1,
+                        Warp::Tsm,
+                        Shade::Colour { shadow_colour: [0.0, 0.0, 0.0, 0.5], darkness: 1.0 },
+                    ),
+                    (
+                        true,
+                        0.1,
+                        Warp::Psm,
+                        Shade::Colour { shadow_colour: [0.0, 0.0, 0.0, 0.5], darkness: 1.0 },
+                    ),
                 ] {
-                    for (receiver_plane, blend, warp) in [
-                        (false, 0.0, Warp::None),
-                        (true, 0.0, Warp::None),
-                        (false, 0.1, Warp::Tsm),
-                        (true, 0.1, Warp::Psm),
-                    ] {
-                        let bias = Bias { receiver_plane, ..Bias::default() };
-                        let settings =
-                            Settings { filter, select, shade, bias, blend, warp, ..Settings::default() };
-                        validate(&format!("{settings:?}"), &receiver_wgsl(&settings, 3));
+                    let bias = Bias { receiver_plane, ..Bias::default() };
+                    let settings =
+                        Settings { filter, select, shade, bias, blend, warp, ..Settings::default() };
+                    for filters_float32 in [true, false] {
+                        let capabilities = Capabilities { filters_float32, ..Capabilities::ALL };
+                        validate(&format!("{settings:?}"), &receiver_wgsl(&settings, capabilities, 3));
                     }
                 }
             }
@@ -121,8 +341,11 @@ mod tests {
 
     #[test]
     fn the_group_is_the_one_asked_for() {
-        let text = receiver_wgsl(&Settings::default(), 2);
-        assert_eq!(text.matches("@group(2)").count(), 3);
-        assert_eq!(text.matches("@group(").count(), 3);
+        for (filter, bindings) in [(Filter::Bilinear {}, 3), (Filter::Vsm(Variance::default()), 5)] {
+            let settings = Settings { filter, ..Settings::default() };
+            let text = receiver_wgsl(&settings, Capabilities::ALL, 2);
+            assert_eq!(text.matches("@group(2)").count(), bindings);
+            assert_eq!(text.matches("@group(").count(), bindings);
+        }
     }
 }

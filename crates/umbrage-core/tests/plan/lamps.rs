@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use umbrage_core::{Aabb, Bounds, Camera, Fit, Light, Projection, Rays, Settings, ShadowView, Warp, plan};
 
@@ -237,4 +237,40 @@ fn a_spots_splits_cut_the_depths_that_it_reaches() {
 fn straight_camera() -> Camera {
     let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
     Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 0.1, 100.0).unwrap()
+}
+
+proptest! {
+    #[test]
+    fn even_depth_is_the_way_along_the_lights_axis_whatever_the_light_and_the_warp(
+        camera in camera(), light in prop_oneof![
+            spot(), place().prop_map(|at| Light::point(at, 90.0).unwrap()),
+            direction().prop_map(|along| Light::directional(along).unwrap()),
+        ],
+        (fit, warp) in fit_and_warp(), share in share(), object in 0usize..40,
+    ) {
+        let bounds = world();
+        let settings = Settings { fit, warp, ..Settings::default() };
+        let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
+        let point = point_in(&bounds.objects[object], share);
+        for view in plan.views().iter().filter(|view| view.covers(point.as_dvec3(), 0.0)) {
+            let clip = view.clip_from_world.as_dmat4() * point.as_dvec3().extend(1.0);
+            let ndc = clip.truncate() / clip.w;
+            let texel = (ndc.truncate() * DVec2::new(0.5, -0.5) + 0.5) * f64::from(view.tile.size);
+            let axis = match light.rays {
+                Rays::Point { .. } => [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z][view.split],
+                Rays::Spot { direction, .. } | Rays::Directional { direction } => direction.as_dvec3(),
+                _ => unreachable!("there are three kinds of light"),
+            };
+            let tip = match light.rays {
+                Rays::Spot { position, .. } | Rays::Point { position, .. } => position.as_dvec3(),
+                _ => DVec3::ZERO,
+            };
+            let (near, deep) = (f64::from(view.near_metres), f64::from(view.depth_metres));
+            let expected = (axis.dot(point.as_dvec3() - tip) - near) / deep;
+            let even = f64::from(view.even_depth(texel.as_vec2(), ndc.z as f32));
+            // Of the whole depth; what a lamp stores far away is steep in f32.
+            let slack = if view.spreads { 1e-4 * (1.0 + 0.01 * deep / near) } else { 1e-4 };
+            prop_assert!((even - expected).abs() < slack, "{even}, not {expected}, in {view:?}");
+        }
+    }
 }

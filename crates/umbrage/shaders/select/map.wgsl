@@ -11,7 +11,7 @@ fn umbrage_finest(light: u32, start: u32, world_position: vec3f, world_normal: v
     for (var i = start; i < end; i++) {
         let lookup = umbrage_lookup(i, light, world_position, world_normal);
         let tile_size = umbrage_frame.views[i].tile_size;
-        let low = vec2f(UMBRAGE_KERNEL_HALF_WIDTH);
+        let low = vec2f(UMBRAGE_FILTER_REACH);
         let inside = all(lookup.texel >= low) && all(lookup.texel <= vec2f(tile_size) - low);
         let nearest = lookup.reference - dot(abs(lookup.gradient), low);
         if inside && nearest >= 0.0 && lookup.reference <= 1.0 {

@@ -1,10 +1,10 @@
 //! A device, a small world of triangles, and a way to ask the GPU for visibility at given points.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use umbrage::{
-    Bounds, Camera, Capabilities, CasterVertex, Light, Lookup, MapTexels, Projection, Settings, ShadowPlan,
-    Shadows, caster_wgsl,
+    Bounds, Camera, Capabilities, CasterVertex, Light, Lookup, MapTexels, Place, Projection, Settings,
+    ShadowPlan, Shadows, caster_wgsl,
 };
 
 /// A device on the software or hardware adapter of one backend. No adapter is a failure, with the remedy.
@@ -142,20 +142,20 @@ pub fn draw_lit(
         label: Some("casters"),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     });
-    let pipeline = shadows.caster_pipeline(
-        &device,
-        &CasterVertex {
-            module: &module,
-            entry_point: "caster",
-            buffers: &[Some(wgpu::VertexBufferLayout {
-                array_stride: 12,
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-            })],
-            bind_group_layouts: &[],
-            front_face: wgpu::FrontFace::Ccw,
-        },
-    );
+    let buffers = [Some(wgpu::VertexBufferLayout {
+        array_stride: 12,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+    })];
+    let vertex = CasterVertex {
+        module: &module,
+        entry_point: "caster",
+        buffers: &buffers,
+        bind_group_layouts: &[],
+        front_face: wgpu::FrontFace::Ccw,
+    };
+    let pipeline = shadows.caster_pipeline(&device, &vertex);
+    let peel = shadows.second_caster_pipeline(&device, &vertex);
     let vertices = buffer(&device, &queue, bytemuck::cast_slice(world), wgpu::BufferUsages::VERTEX);
     let mut encoder = device.create_command_encoder(&Default::default());
     for view in plan.views() {
@@ -163,7 +163,14 @@ pub fn draw_lit(
         pass.set_pipeline(&pipeline);
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.draw(0..world.len() as u32 * 3, 0..1);
+        drop(pass);
+        if let (Some(peel), Some(mut pass)) = (&peel, shadows.begin_second(&mut encoder, view, None)) {
+            pass.set_pipeline(peel);
+            pass.set_vertex_buffer(0, vertices.slice(..));
+            pass.draw(0..world.len() as u32 * 3, 0..1);
+        }
     }
+    shadows.finish(&mut encoder, &plan);
     queue.submit([encoder.finish()]);
     Drawn { device, queue, shadows, plan }
 }
@@ -219,24 +226,29 @@ impl Drawn {
         self.ask(&(self.shadows.wgsl(1) + main + &ask), bytemuck::cast_slice(queries), queries.len())
     }
 
-    /// What the filter alone says at places in one view: x and y in texels, the depth to compare with, and its gradient.
-    pub fn filter(&self, view: u32, places: &[(Vec2, f32, Vec2)]) -> Vec<f32> {
+    /// What the filter alone says at places in one view of the first light, seen at the pixel (0.5, 0.5) and at the world's
+    /// origin.
+    pub fn filter(&self, view: u32, places: &[Place]) -> Vec<f32> {
         let main = format!(
             "
-            struct Place {{ texel: vec2f, gradient: vec2f, reference: f32 }}
+            struct Place {{ texel: vec2f, gradient: vec2f, texel_metres: vec2f, reference: f32 }}
             @group(0) @binding(0) var<storage, read> places: array<Place>;
             @group(0) @binding(1) var<storage, read_write> answers: array<f32>;
             @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {{
                 if id.x >= arrayLength(&places) {{ return; }}
                 let place = places[id.x];
-                answers[id.x] = umbrage_filter({view}u, place.texel, place.reference, place.gradient, vec2f(0.5));
+                let lookup =
+                    UmbrageLookup({view}u, 0u, place.texel, place.reference, place.gradient, place.texel_metres);
+                let receiver = UmbrageReceiver(vec3f(0.0), vec3f(0.0, 1.0, 0.0), vec2f(0.5), 0.0);
+                answers[id.x] = umbrage_filter(lookup, receiver);
             }}"
         );
-        let places: Vec<[f32; 6]> = places
-            .iter()
-            .map(|(texel, depth, gradient)| [texel.x, texel.y, gradient.x, gradient.y, *depth, 0.0])
-            .collect();
-        self.ask(&(self.shadows.wgsl(1) + &main), bytemuck::cast_slice(&places), places.len())
+        let numbers = |place: &Place| {
+            let Place { texel, reference, gradient, texel_metres } = *place;
+            [texel.x, texel.y, gradient.x, gradient.y, texel_metres.x, texel_metres.y, reference, 0.0]
+        };
+        let numbers: Vec<[f32; 8]> = places.iter().map(numbers).collect();
+        self.ask(&(self.shadows.wgsl(1) + &main), bytemuck::cast_slice(&numbers), places.len())
     }
 
     fn ask(&self, source: &str, questions: &[u8], count: usize) -> Vec<f32> {

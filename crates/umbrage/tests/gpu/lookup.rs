@@ -2,7 +2,7 @@
 
 use crate::common::{camera, device, draw, queries, world};
 use glam::{Vec2, Vec3};
-use umbrage::{Bias, DepthFormat, Filter, Fit, Select, Settings, Storage};
+use umbrage::{Bias, DepthFormat, Filter, Fit, Place, Select, Settings, Storage};
 
 const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
 
@@ -49,7 +49,7 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
         let maps = drawn.maps();
         let lookup = drawn.lookup(&maps);
         for view in drawn.plan.views() {
-            let places: Vec<(Vec2, f32, Vec2)> = (0..)
+            let places: Vec<Place> = (0..)
                 .zip(places(256.0))
                 .map(|(i, (texel, reference))| {
                     let gradient = if receiver_plane { gradient(i) } else { Vec2::ZERO };
@@ -67,13 +67,12 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
                         DepthFormat::U16 => here - 0.25 / 65535.0,
                     };
                     // Receivers beyond 1 are lit without asking a filter.
-                    (texel, reference.min(1.0), gradient)
+                    let texel_metres = Vec2::new(0.1, 0.14);
+                    Place { texel, reference: reference.min(1.0), gradient, texel_metres }
                 })
                 .collect();
             let gpu = drawn.filter(view.index as u32, &places);
-            let cpu = places
-                .iter()
-                .map(|(texel, reference, gradient)| lookup.filter(view, *texel, *reference, *gradient));
+            let cpu = places.iter().map(|place| lookup.filter(view, place, Vec3::ZERO, Vec2::splat(0.5)));
             let differences: Vec<f32> = gpu.iter().zip(cpu).map(|(gpu, cpu)| (gpu - cpu).abs()).collect();
             let lit = gpu.iter().filter(|v| **v > 0.5).count();
             assert!(lit > 1000 && lit < places.len() - 1000, "{lit} of {} are lit", places.len());
@@ -100,6 +99,17 @@ fn bilinear_lookups_agree_within_a_256th() {
     for receiver_plane in [false, true] {
         for (largest, _) in compare_filters(Filter::Bilinear {}, receiver_plane) {
             assert!(largest <= 1.0 / 256.0 + 1e-6, "receiver plane {receiver_plane}: {largest}");
+        }
+    }
+}
+
+#[test]
+fn optimised_lookups_are_the_bell_that_they_stand_for() {
+    for receiver_plane in [false, true] {
+        for size in [3, 5, 7] {
+            for (largest, _) in compare_filters(Filter::Optimised { size }, receiver_plane) {
+                assert!(largest <= 1.0 / 256.0 + 1e-5, "{size}, receiver plane {receiver_plane}: {largest}");
+            }
         }
     }
 }

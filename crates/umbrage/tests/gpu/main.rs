@@ -2,7 +2,10 @@
 
 mod agreement;
 mod common;
+mod filters;
 mod lamps;
 mod lookup;
+mod moments;
 mod plane;
+mod soft;
 mod warps;

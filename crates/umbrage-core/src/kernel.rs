@@ -1,0 +1,135 @@
+//! Where the comparisons of a filter lie around a receiver, and what they weigh.
+//!
+//! Sources: H. Vogel 1979, *A better way to construct the sunflower head*; J. Jimenez, SIGGRAPH 2014 (the noise that turns
+//! it); opengl-tutorial 16 (the table of points). Space: the unit disc, around the receiver.
+
+use glam::{Vec2, Vec3};
+
+/// The table of opengl-tutorial 16. Its middle is not the origin: that of its first four points lies 0.45 below it.
+pub const POISSON: [Vec2; 16] = [
+    Vec2::new(-0.94201624, -0.39906216),
+    Vec2::new(0.94558609, -0.76890725),
+    Vec2::new(-0.094184101, -0.92938870),
+    Vec2::new(0.34495938, 0.29387760),
+    Vec2::new(-0.91588581, 0.45771432),
+    Vec2::new(-0.81544232, -0.87912464),
+    Vec2::new(-0.38277543, 0.27676845),
+    Vec2::new(0.97484398, 0.75648379),
+    Vec2::new(0.44323325, -0.97511554),
+    Vec2::new(0.53742981, -0.47373420),
+    Vec2::new(-0.26496911, -0.41893023),
+    Vec2::new(0.79197514, 0.19090188),
+    Vec2::new(-0.24188840, 0.99706507),
+    Vec2::new(-0.81409955, 0.91437590),
+    Vec2::new(0.19984126, 0.78641367),
+    Vec2::new(0.14383161, -0.14100790),
+];
+
+/// The angle between two neighbours of the spiral: a whole turn over the square of the golden ratio, radians.
+const GOLDEN_ANGLE: f32 = 2.399_963_2;
+
+/// The first `count` points of the table, moved so that their middle is the origin where `centred`. No more than 16.
+pub fn poisson(count: usize, centred: bool) -> impl Iterator<Item = Vec2> {
+    let count = count.min(POISSON.len());
+    let middle = POISSON[..count].iter().sum::<Vec2>() / count.max(1) as f32;
+    POISSON[..count].iter().map(move |point| if centred { *point - middle } else { *point })
+}
+
+/// Point `i` of `count` on the unit disc, each with as much of its area.
+pub fn vogel(i: usize, count: usize) -> Vec2 {
+    let radius = ((i as f32 + 0.5) / count.max(1) as f32).sqrt();
+    Vec2::from_angle(i as f32 * GOLDEN_ANGLE) * radius
+}
+
+/// A number from 0 to 1 for a place on the screen, pixels: even over any few neighbours.
+pub fn interleaved_gradient_noise(pixel: Vec2) -> f32 {
+    (52.982_918_9 * pixel.dot(Vec2::new(0.067_110_56, 0.005_837_15)).fract()).fract()
+}
+
+/// A number from 0 to 1 for a place in the world: another one every millimetre.
+pub fn world_noise(position: Vec3) -> f32 {
+    let [x, y, z] = (position * 1000.0).floor().to_array().map(|part| (part as i32).cast_unsigned());
+    (pcg(x.wrapping_add(pcg(y.wrapping_add(pcg(z))))) >> 8) as f32 / 16_777_216.0
+}
+
+/// Which of 16 points is picked as the `i`th at a place with this noise.
+pub fn picked(i: u32, noise: f32) -> usize {
+    (pcg(((noise * 16_777_216.0) as u32).wrapping_mul(64).wrapping_add(i)) % 16) as usize
+}
+
+/// A number that looks like any other (Jarzynski & Olano, JCGT 2020).
+fn pcg(value: u32) -> u32 {
+    let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (word >> 22) ^ word
+}
+
+/// What texels at distance 0, 1, … `reach` of a Gaussian weigh; both sides together 1. Its standard deviation is half of the
+/// reach.
+pub fn gaussian(reach: u32) -> Vec<f32> {
+    let deviation = 0.5 * f64::from(reach.max(1));
+    let weights: Vec<f64> = (0..=reach).map(|i| (-0.5 * (f64::from(i) / deviation).powi(2)).exp()).collect();
+    let sum = 2.0 * weights.iter().sum::<f64>() - weights[0];
+    weights.iter().map(|weight| (weight / sum) as f32).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_spiral_and_the_noise_are_those_of_v12() {
+        for (i, x, y) in [
+            (0, 0.1767766952966369, 0.0),
+            (1, -0.225772187937548, 0.20682581839289915),
+            (2, 0.03455805202455909, -0.39377117852919086),
+            (3, 0.28457121982273553, 0.37117276415249045),
+            (15, -0.12648677292149527, -0.9760896968393356),
+        ] {
+            assert!(vogel(i, 16).distance(Vec2::new(x, y)) < 1e-5, "{i}: {}", vogel(i, 16));
+        }
+        for (x, y, noise) in [
+            (0.5, 0.5, 0.9324913014353595),
+            (1.5, 0.5, 0.48820465924894396),
+            (0.5, 1.5, 0.24176054649249457),
+            (10.5, 20.5, 0.6750097807138999),
+            (640.5, 360.5, 0.6946180226978234),
+        ] {
+            let got = interleaved_gradient_noise(Vec2::new(x, y));
+            // 53 times what f32 rounds of a coordinate.
+            assert!((got - noise).abs() < 1e-3, "{x}, {y}: {got}, not {noise}");
+        }
+    }
+
+    #[test]
+    fn the_tutorials_points_are_off_centre_and_ours_are_not() {
+        let middle = |count, centred| poisson(count, centred).sum::<Vec2>() / count as f32;
+        assert!(middle(4, false).distance(Vec2::new(0.0636, -0.4509)) < 1e-4);
+        assert!(middle(16, false).distance(Vec2::new(-0.0056, -0.0195)) < 1e-4);
+        assert!(middle(4, true).length() < 1e-6 && middle(16, true).length() < 1e-6);
+    }
+
+    #[test]
+    fn every_point_is_picked_as_often_and_neighbouring_millimetres_differ() {
+        let mut counts = [0; 16];
+        let noises: Vec<f32> =
+            (0..1000).map(|i| world_noise(Vec3::new(i as f32 * 1e-3 + 5e-4, 2.0, -3.0))).collect();
+        for noise in &noises {
+            (0..16).for_each(|i| counts[picked(i, *noise)] += 1);
+        }
+        assert!(counts.iter().all(|count| (850..1150).contains(count)), "{counts:?}");
+        assert!(noises.windows(2).all(|pair| pair[0] != pair[1]), "one place, one number");
+    }
+
+    #[test]
+    fn a_gaussian_weighs_one_and_falls() {
+        for reach in 0..=16 {
+            let weights = gaussian(reach);
+            let sum = 2.0 * weights.iter().sum::<f32>() - weights[0];
+            assert!(
+                (sum - 1.0).abs() < 1e-6 && weights.windows(2).all(|w| w[0] > w[1]),
+                "{reach}: {weights:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! What a shadow map can store that may be blurred before it is compared, and what visibility follows from it.
+//!
+//! A map of depths must be compared first and averaged after. A map of *moments*, means of functions of depth, may be
+//! averaged first: blurred, resolved, sampled as any picture. A lookup asks what share of the depths lies before the
+//! receiver, and answers with the most light that its moments allow, so that surfaces do not shadow themselves; where
+//! several casters overlap that is too much, and light leaks. `docs/sources.md` has the papers; each file of `moments/`
+//! is one of them.
+//!
+//! Space: depths are linear along the light, 0 near it and 1 far; others are taken to the nearer end. Visibility is 1 for
+//! lit. All is in f32, as the shaders do it.
+
+mod chebyshev;
+mod esm;
+mod evsm;
+mod exponent;
+mod msm;
+mod vsm;
+
+#[cfg(test)]
+mod properties;
+#[cfg(test)]
+mod v11;
+#[cfg(test)]
+mod vectors;
+
+use glam::{Vec2, Vec4};
+
+use crate::SettingsError;
+pub use esm::Esm;
+pub use evsm::{Evsm2, Evsm4};
+pub use exponent::{Exponent, Precision};
+pub use msm::Msm;
+pub use vsm::Vsm;
+
+/// What a texel of a filterable shadow map holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Moments {
+    /// Depth and its square.
+    Vsm(Vsm),
+    /// The logarithm of the mean of an exponential of depth.
+    Esm(Esm),
+    /// An exponential of depth, and its square.
+    Evsm2(Evsm2),
+    /// Two exponentials of depth, and their squares.
+    Evsm4(Evsm4),
+    /// The first four powers of depth, mixed so that they fill their range.
+    Msm(Msm),
+}
+
+impl Moments {
+    /// How many channels of a texel are in use: 1, 2 or 4. The others are 0.
+    pub fn channels(&self) -> u32 {
+        match self {
+            Self::Esm(_) => 1,
+            Self::Vsm(_) | Self::Evsm2(_) => 2,
+            Self::Evsm4(_) | Self::Msm(_) => 4,
+        }
+    }
+
+    /// What one depth is stored as. `slope` is how much depth grows from a texel to the next, to the right and downward;
+    /// only [`Vsm`] asks for it.
+    pub fn of_depth(&self, depth: f32, slope: Vec2) -> Vec4 {
+        let depth = depth.clamp(0.0, 1.0);
+        match self {
+            Self::Vsm(_) => Vsm::of_depth(depth, slope),
+            Self::Esm(esm) => esm.of_depth(depth),
+            Self::Evsm2(evsm) => evsm.of_depth(depth),
+            Self::Evsm4(evsm) => evsm.of_depth(depth),
+            Self::Msm(_) => Msm::of_depth(depth),
+        }
+    }
+
+    /// The sum of nothing, to begin a mean with.
+    pub fn none(&self) -> Vec4 {
+        match self {
+            Self::Esm(_) => Esm::NONE,
+            Self::Vsm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => Vec4::ZERO,
+        }
+    }
+
+    /// A sum with one more summand. `weight` is not negative; those of a mean add to 1.
+    pub fn add(&self, sum: Vec4, moments: Vec4, weight: f32) -> Vec4 {
+        match self {
+            Self::Esm(_) => Esm::add(sum, moments, weight),
+            Self::Vsm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => sum + moments * weight,
+        }
+    }
+
+    /// How much light reaches a receiver at `depth`, from 0 to 1.
+    pub fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
+        let depth = depth.clamp(0.0, 1.0);
+        match self {
+            Self::Vsm(vsm) => vsm.visibility(moments, depth),
+            Self::Esm(esm) => esm.visibility(moments, depth),
+            Self::Evsm2(evsm) => evsm.visibility(moments, depth),
+            Self::Evsm4(evsm) => evsm.visibility(moments, depth),
+            Self::Msm(msm) => msm.visibility(moments, depth),
+        }
+    }
+
+    /// Whether every parameter is in its range.
+    ///
+    /// # Errors
+    /// The first parameter that is not, by its key.
+    pub fn validate(&self) -> Result<(), SettingsError> {
+        match *self {
+            Self::Vsm(Vsm { least_variance, bleed })
+            | Self::Evsm2(Evsm2 { exponent: _, least_variance, bleed })
+            | Self::Evsm4(Evsm4 { positive: _, negative: _, least_variance, bleed }) => {
+                let wanted = "from 0 to 0.01 squares of the depth range";
+                check("moments.least_variance", least_variance, 0.0, 0.01, wanted)?;
+                check_bleed(bleed)
+            }
+            Self::Esm(Esm { exponent }) => {
+                check("moments.exponent", exponent, 1.0, Esm::LARGEST_EXPONENT, "from 1 to 88")
+            }
+            Self::Msm(Msm { bias, centre, bleed }) => {
+                check("moments.bias", bias, 0.0, 0.1, "from 0 to 0.1")?;
+                check("moments.centre", centre, 0.1, 0.9, "from 0.1 to 0.9")?;
+                check_bleed(bleed)
+            }
+        }
+    }
+}
+
+fn check_bleed(bleed: f32) -> Result<(), SettingsError> {
+    check("moments.bleed", bleed, 0.0, 0.99, "from 0 to 0.99")
+}
+
+/// NaN is outside every range.
+fn check(
+    key: &'static str,
+    value: f32,
+    low: f32,
+    high: f32,
+    wanted: &'static str,
+) -> Result<(), SettingsError> {
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(SettingsError::OutOfRange { key, value: f64::from(value), wanted })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_are_valid_and_a_value_out_of_range_is_named() {
+        for moments in properties::all() {
+            assert_eq!(moments.validate(), Ok(()), "{moments:?}");
+        }
+        let key = |moments: Moments| match moments.validate() {
+            Err(SettingsError::OutOfRange { key, .. }) => key,
+            other => panic!("expected a value out of range, got {other:?}"),
+        };
+        let (vsm, msm) = (Vsm::default(), Msm::default());
+        assert_eq!(key(Moments::Vsm(Vsm { least_variance: -1.0, ..vsm })), "moments.least_variance");
+        assert_eq!(key(Moments::Vsm(Vsm { bleed: 1.0, ..vsm })), "moments.bleed");
+        assert_eq!(key(Moments::Esm(Esm { exponent: 89.0 })), "moments.exponent");
+        assert_eq!(key(Moments::Msm(Msm { bias: f32::NAN, ..msm })), "moments.bias");
+        assert_eq!(key(Moments::Msm(Msm { centre: 1.0, ..msm })), "moments.centre");
+    }
+}

@@ -1,0 +1,42 @@
+//! The most light that a mean and a variance allow: Chebyshev's inequality, one-sided.
+//!
+//! Donnelly & Lauritzen, *Variance Shadow Maps*, I3D 2006. Paper → here: M₁, M₂ → `first`, `second`; μ = M₁;
+//! σ² = M₂ − M₁²; t → `place`. P(x ≥ t) ≤ σ² / (σ² + (t − μ)²) for t > μ, else 1.
+//!
+//! Space: any that grows with depth, as depth itself or an exponential of it.
+
+/// The largest share of a distribution that can lie at `place` or beyond it.
+pub(super) fn largest_share_beyond(first: f32, second: f32, place: f32, least_deviation: f32) -> f32 {
+    // The smallest positive number keeps 0 / 0 away.
+    let least = (least_deviation * least_deviation).max(f32::MIN_POSITIVE);
+    let variance = (second - first * first).max(least);
+    let behind = (place - first).max(0.0);
+    variance / (variance + behind * behind)
+}
+
+/// Visibility with its lowest part cut off, and the rest stretched: light bleeding reduction, of Lauritzen, *Summed-Area
+/// Variance Shadow Maps*, GPU Gems 3, 2007, chapter 8.
+pub(super) fn without_bleed(bleed: f32, visibility: f32) -> f32 {
+    ((visibility - bleed) / (1.0 - bleed).max(f32::EPSILON)).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cut_of_bleeding_is_v11d() {
+        for (visibility, bleed, cut) in
+            [(0.1, 0.2, 0.0), (0.5, 0.2, 0.375), (0.9, 0.3, 0.857142857), (1.0, 0.3, 1.0)]
+        {
+            let got = without_bleed(bleed, visibility);
+            assert!((got - cut).abs() < 1e-6, "{visibility} without {bleed}: {got}, not {cut}");
+        }
+    }
+
+    #[test]
+    fn the_inequality_is_an_equality_for_two_depths_at_the_farther_one() {
+        // A quarter at 0.2, the rest at 0.6: mean 0.5, mean square 0.28.
+        assert!((largest_share_beyond(0.5, 0.28, 0.6, 0.0) - 0.75).abs() < 1e-6);
+    }
+}

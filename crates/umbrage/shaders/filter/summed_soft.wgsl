@@ -1,0 +1,17 @@
+// Moment soft shadows (Peters et al. 2017): the moments of a box say how far its blockers are on average, and those of a
+// box as wide as the penumbra how much of the light reaches the receiver.
+
+/// Half a side of the square that has the area of the unit disc.
+const UMBRAGE_SQUARE: f32 = 0.88622693;
+
+fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
+    let depth = umbrage_even_depth(lookup.view_index, lookup.texel, lookup.reference);
+    let least_deviation = UMBRAGE_LEAST_DEVIATION / umbrage_frame.views[lookup.view_index].depth_metres;
+    let search = umbrage_penumbra_texels(lookup, depth, 0.0) * UMBRAGE_SQUARE;
+    let blockers = umbrage_moments_blocker(umbrage_moments_over(lookup, search), depth);
+    if blockers.x <= 0.0 {
+        return 1.0;
+    }
+    let radius = max(umbrage_penumbra_texels(lookup, depth, blockers.y) * UMBRAGE_SQUARE, vec2f(0.5));
+    return umbrage_moments_visibility(umbrage_moments_over(lookup, radius), depth, least_deviation);
+}

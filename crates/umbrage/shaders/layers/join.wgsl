@@ -1,0 +1,36 @@
+// From the first two surfaces that the light meets to the one depth that is stored. Where there is no second one, it is taken to
+// lie twice the limit behind the first.
+
+@group(0) @binding(1) var<uniform> umbrage_joined_view: vec4u;
+@group(0) @binding(2) var umbrage_first: texture_depth_2d_array;
+@group(0) @binding(3) var umbrage_second: texture_depth_2d_array;
+
+/// A triangle over the whole tile.
+@vertex
+fn everywhere(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
+    return vec4f(vec2f(f32(index & 1u), f32(index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+/// How much stored depth grows a metre along the light, at a depth that is stored.
+fn umbrage_steepness(texel: vec2f, stored: f32) -> f32 {
+    let view_index = umbrage_joined_view.x;
+    let deep = umbrage_frame.views[view_index].depth_metres;
+    let step = 1e-3;
+    let here = umbrage_even_depth(view_index, texel, stored);
+    let there = umbrage_even_depth(view_index, texel, stored - step);
+    return step / max((here - there) * deep, 1e-30);
+}
+
+@fragment
+fn join(@builtin(position) position: vec4f) -> @builtin(frag_depth) f32 {
+    let view_index = umbrage_joined_view.x;
+    let layer = umbrage_frame.views[view_index].layer;
+    let first = textureLoad(umbrage_first, vec2i(position.xy), layer, 0);
+    if first >= 1.0 {
+        return 1.0;
+    }
+    let second = textureLoad(umbrage_second, vec2i(position.xy), layer, 0);
+    let texel = position.xy - umbrage_frame.views[view_index].tile_origin;
+    let limit = UMBRAGE_LAYER_LIMIT * umbrage_steepness(texel, first);
+    return min(umbrage_joined(first, select(second, first + 2.0 * limit, second >= 1.0), limit), 1.0);
+}

@@ -1,0 +1,15 @@
+// Exponential variance shadow maps of both exponentials. The darker of the two counts.
+
+/// What one depth is stored as.
+fn umbrage_moments_of(depth: f32, slope: vec2f) -> vec4f {
+    let positive = umbrage_warp(UMBRAGE_MOMENTS_EXPONENT, depth);
+    let negative = umbrage_warp(-UMBRAGE_MOMENTS_NEGATIVE_EXPONENT, depth);
+    return vec4f(positive, positive * positive, negative, negative * negative);
+}
+
+/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `least_deviation`.
+fn umbrage_moments_visibility(moments: vec4f, depth: f32, least_deviation: f32) -> f32 {
+    let positive = umbrage_largest_share_behind(UMBRAGE_MOMENTS_EXPONENT, moments.xy, depth, least_deviation);
+    let negative = umbrage_largest_share_behind(-UMBRAGE_MOMENTS_NEGATIVE_EXPONENT, moments.zw, depth, least_deviation);
+    return umbrage_without_bleed(min(positive, negative));
+}

@@ -1,0 +1,7 @@
+// Numbers that look like any others, the same on every device (Jarzynski & Olano, JCGT 2020).
+
+fn umbrage_pcg(value: u32) -> u32 {
+    let state = value * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}

@@ -1,0 +1,41 @@
+// A Gaussian over the texels of a row, and then over those of a column. In front of it go the frame and a file of `moments/`.
+
+@group(0) @binding(1) var<uniform> umbrage_prefilter_view: vec4u;
+@group(0) @binding(2) var umbrage_sharp: texture_2d<f32>;
+@group(0) @binding(3) var umbrage_blurred: texture_storage_2d<UMBRAGE_FORMAT, write>;
+
+/// The weighted sum over texels along `step`, of a square of `side` texels at `origin`; its outermost texels go on outside.
+fn umbrage_blur(origin: vec2i, texel: vec2i, side: i32, step: vec2i) -> vec4f {
+    var weights = UMBRAGE_WEIGHTS;
+    var sum = umbrage_moments_none();
+    for (var i = -UMBRAGE_BLUR; i <= UMBRAGE_BLUR; i++) {
+        let inside = clamp(texel + step * i, vec2i(0), vec2i(side - 1));
+        sum = umbrage_moments_add(sum, textureLoad(umbrage_sharp, origin + inside, 0), weights[abs(i)]);
+    }
+    return sum;
+}
+
+@compute @workgroup_size(64)
+fn across(@builtin(global_invocation_id) id: vec3u) {
+    let view_index = umbrage_prefilter_view.x;
+    let side = i32(umbrage_frame.views[view_index].tile_size) / i32(UMBRAGE_SHRINK);
+    let texel = vec2i(id.xy);
+    if any(texel >= vec2i(side)) {
+        return;
+    }
+    let origin = vec2i(umbrage_frame.views[view_index].tile_origin) / i32(UMBRAGE_SHRINK);
+    textureStore(umbrage_blurred, texel, umbrage_stored(umbrage_blur(origin, texel, side, vec2i(1, 0))));
+}
+
+@compute @workgroup_size(64)
+fn down(@builtin(global_invocation_id) id: vec3u) {
+    let view_index = umbrage_prefilter_view.x;
+    let side = i32(umbrage_frame.views[view_index].tile_size) / i32(UMBRAGE_SHRINK);
+    let texel = vec2i(id.xy);
+    if any(texel >= vec2i(side)) {
+        return;
+    }
+    let origin = vec2i(umbrage_frame.views[view_index].tile_origin) / i32(UMBRAGE_SHRINK);
+    let blurred = umbrage_blur(vec2i(0), texel, side, vec2i(0, 1));
+    textureStore(umbrage_blurred, origin + texel, umbrage_stored(blurred));
+}

@@ -1,0 +1,145 @@
+//! Two roads to one answer, for filters of points, of moments and of sums: the shaders, and the same in Rust on read-back
+//! maps.
+
+use glam::{Vec2, Vec3};
+use umbrage::{
+    Bias, Disc, Exponential, ExponentialVariance, Filter, FourMoments, LightSize, MomentPrecision, Pcss,
+    Place, Precision, Prefilter, Seed, Settings, SoftMoments, Storage, SummedVariance, Variance, Warp,
+};
+
+use crate::common::{camera, device, draw, world};
+
+const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
+
+/// The share of places whose answers differ by more than `tolerance`, and the largest difference.
+fn differences(settings: &Settings, tolerance: f32) -> (f64, f32) {
+    let camera = camera(Vec3::new(-30.0, 9.0, 38.0), Vec3::new(4.0, 0.0, -6.0));
+    let drawn = draw(device(wgpu::Backends::VULKAN), settings.clone(), &camera, &[LIGHT], &world());
+    let maps = drawn.maps();
+    let lookup = drawn.lookup(&maps);
+    let (mut differ, mut count, mut largest, mut partly) = (0, 0, 0f32, 0);
+    for view in drawn.plan.views() {
+        let size = view.tile.size as f32;
+        let places: Vec<Place> = (0..1500)
+            .map(|i| {
+                let share = |step: f64| (f64::from(i) * step).fract() as f32;
+                let texel = Vec2::new(share(0.754_877_666), share(0.569_840_29)) * size;
+                let centre = texel.floor().as_i64vec2();
+                // Around what is stored here, and behind it.
+                let stored = maps.depth(view.tile, centre.x, centre.y);
+                let reference = (stored + (share(0.437_598_1) - 0.3) * 0.1).clamp(0.0, 1.0);
+                Place { texel, reference, gradient: Vec2::ZERO, texel_metres: Vec2::new(0.1, 0.14) }
+            })
+            .collect();
+        let gpu = drawn.filter(view.index as u32, &places);
+        for (place, gpu) in places.iter().zip(&gpu) {
+            let cpu = lookup.filter(view, place, Vec3::ZERO, Vec2::splat(0.5));
+            assert!((0.0..=1.0).contains(gpu) && cpu.is_finite(), "{gpu}, {cpu} at {place:?}");
+            let difference = (gpu - cpu).abs();
+            largest = largest.max(difference);
+            differ += usize::from(difference > tolerance);
+            partly += usize::from(*gpu > 0.01 && *gpu < 0.99);
+            count += 1;
+        }
+    }
+    assert!(partly > count / 50, "{partly} of {count} are neither lit nor shadowed");
+    (differ as f64 / count as f64, largest)
+}
+
+fn with(filter: Filter) -> Settings {
+    Settings { filter, splits: 3, resolution: 256, ..Settings::default() }
+}
+
+#[test]
+fn points_on_a_disc_are_where_rust_says() {
+    let disc = Disc::default();
+    let discs = [
+        Disc { radius_texels: 3.0, seed: Seed::World, ..disc },
+        Disc { seed: Seed::None, centred: false, taps: 4, ..disc },
+        Disc { radius: Some(0.31), radius_texels: 8.0, seed: Seed::World, bail: true, ..disc },
+    ];
+    for disc in discs {
+        for filter in [Filter::Poisson, Filter::Stratified, Filter::Rotated, Filter::Vogel].map(|of| of(disc))
+        {
+            for receiver_plane in [false, true] {
+                let bias = Bias { receiver_plane, ..Bias::default() };
+                let (share, largest) = differences(&Settings { bias, ..with(filter) }, 1.0 / 256.0);
+                println!("{filter:?}, plane {receiver_plane}: {share:.4} differ, by {largest} at most");
+                // A point a rounding error away from a texel's edge may fall on either side.
+                assert!(share < 2e-3, "{filter:?}, plane {receiver_plane}: {share} differ");
+            }
+        }
+    }
+}
+
+#[test]
+fn blockers_and_penumbrae_are_what_rust_says() {
+    let light = LightSize { sun_degrees: 5.0, ..LightSize::default() };
+    for receiver_plane in [false, true] {
+        let bias = Bias { receiver_plane, ..Bias::default() };
+        let pcss = Pcss { light, most_texels: 20.0, seed: Seed::World, ..Pcss::default() };
+        let (share, largest) = differences(&Settings { bias, ..with(Filter::Pcss(pcss)) }, 1.0 / 256.0);
+        println!("pcss, plane {receiver_plane}: {share:.4} differ, by {largest} at most");
+        // A blocker more or less moves every point of the disc.
+        assert!(share < 5e-3, "plane {receiver_plane}: {share} differ");
+    }
+}
+
+/// Every filter of blurred moments, with the largest difference that the way it is stored allows.
+fn moments() -> Vec<(Filter, f32)> {
+    let blurred = Prefilter { blur_texels: 3, ..Prefilter::default() };
+    let evsm = ExponentialVariance { prefilter: blurred, ..ExponentialVariance::default() };
+    let half = ExponentialVariance { precision: Precision::F16, least_deviation: 0.3, ..evsm };
+    let msm = FourMoments { prefilter: blurred, ..FourMoments::default() };
+    vec![
+        // A variance is what two squares differ by, which are near 1 in 32 bits: (1 cm)² of 100 m is a fifth of a step.
+        (Filter::Vsm(Variance { prefilter: blurred, ..Variance::default() }), 0.02),
+        (
+            Filter::Vsm(Variance { prefilter: Prefilter { shrink: 2, ..blurred }, ..Variance::default() }),
+            0.02,
+        ),
+        (Filter::Esm(Exponential { prefilter: blurred, ..Exponential::default() }), 1e-4),
+        (Filter::Evsm2(evsm), 1e-4),
+        (Filter::Evsm4(evsm), 1e-4),
+        (Filter::Msm(msm), 1e-4),
+        // 16 bits round what is stored: 11 of a float, and 65,535 steps of a whole number.
+        (Filter::Evsm2(half), 0.05),
+        (Filter::Evsm4(half), 0.05),
+        (Filter::Msm(FourMoments { precision: MomentPrecision::U16, ..msm }), 0.05),
+    ]
+}
+
+#[test]
+fn blurred_moments_are_what_rust_makes_of_the_depths() {
+    for (filter, tolerance) in moments() {
+        for (storage, warp) in [(Storage::Array, Warp::None), (Storage::Atlas, Warp::Lispsm)] {
+            let (share, largest) = differences(&Settings { storage, warp, ..with(filter) }, tolerance);
+            println!("{filter:?}, {storage:?}: {share:.4} differ, by {largest} at most");
+            assert!(
+                share < 0.01,
+                "{filter:?}, {storage:?}: {share} differ by more than {tolerance}, at most {largest}"
+            );
+        }
+    }
+}
+
+#[test]
+fn sums_over_boxes_are_what_rust_adds_up() {
+    let light = LightSize { sun_degrees: 5.0, ..LightSize::default() };
+    let savsm = SummedVariance { radius_texels: 4.3, ..SummedVariance::default() };
+    let filters = [
+        (Filter::Savsm(savsm), 0.02),
+        (Filter::Savsm(SummedVariance { radius: Some(0.5), radius_texels: 8.0, ..savsm }), 0.02),
+        (Filter::Mssm(SoftMoments { light, most_texels: 16.0, ..SoftMoments::default() }), 0.02),
+    ];
+    for (filter, tolerance) in filters {
+        for storage in [Storage::Array, Storage::Atlas] {
+            let (share, largest) = differences(&Settings { storage, ..with(filter) }, tolerance);
+            println!("{filter:?}, {storage:?}: {share:.4} differ, by {largest} at most");
+            assert!(
+                share < 0.02,
+                "{filter:?}, {storage:?}: {share} differ by more than {tolerance}, at most {largest}"
+            );
+        }
+    }
+}
