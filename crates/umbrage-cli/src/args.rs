@@ -72,8 +72,14 @@ pub struct RenderArgs {
     /// Tint what each split serves
     #[arg(long)]
     pub splits: bool,
+    /// Give lights a size: pictures are the mean over a map for each of so many points of the light, one sample a pixel
+    #[arg(long, value_name = "N", conflicts_with = "splits", value_parser = clap::value_parser!(u32).range(1..=i64::from(umbrage_render::MOST_SAMPLES)))]
+    pub area_samples: Option<u32>,
+    /// The angle that a sun of some size is seen under, degrees. Lamps have half of it, in radians, for a radius in metres
+    #[arg(long, value_name = "DEG", default_value_t = 0.53, requires = "area_samples", value_parser = parse_area_degrees, allow_negative_numbers = true)]
+    pub area_degrees: f32,
     /// Draw no shadows
-    #[arg(long, conflicts_with_all = ["splits", "visibility", "maps", "aliasing"])]
+    #[arg(long, conflicts_with_all = ["splits", "visibility", "maps", "aliasing", "area_samples"])]
     pub no_shadows: bool,
 }
 
@@ -291,6 +297,11 @@ fn parse_vec3(text: &str) -> Result<Vec3, String> {
 fn parse_sun_angle(text: &str) -> Result<f64, String> {
     let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
     angle.ok_or_else(|| "wanted degrees, from 0 to 90".to_owned())
+}
+
+fn parse_area_degrees(text: &str) -> Result<f32, String> {
+    let degrees = text.parse().ok().filter(|degrees| (0.0..180.0).contains(degrees));
+    degrees.ok_or_else(|| "wanted degrees, from 0 to below 180".to_owned())
 }
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {

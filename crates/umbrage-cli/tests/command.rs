@@ -248,3 +248,36 @@ fn work_that_fails_ends_with_status_1_and_writes_nothing() {
     let left: Vec<_> = std::fs::read_dir(folder.path()).expect("a folder").filter_map(Result::ok).collect();
     assert_eq!(left.len(), 3, "no temporary files: {left:?}");
 }
+
+#[test]
+fn lights_of_some_size_have_softer_shadows_and_wrong_sizes_are_refused() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    let render = |name: &str, more: &[&str]| {
+        let file = path(name);
+        let args = ["render", "primitives", "--size", "96x54", "--visibility", text(&file)];
+        stdout(&[&args[..], more].concat());
+        let grey = image::open(&file).expect("a picture").into_luma8();
+        grey.pixels().filter(|grey| (32..224).contains(&grey.0[0])).count()
+    };
+    let hard = ["--set", "filter.kind=hard"];
+    let one = render("one.png", &[&hard[..], &["--area-samples", "1"]].concat());
+    let soft = render(
+        "soft.png",
+        &[&hard[..], &["--area-samples", "16", "--area-degrees", "5", "-o", text(&path("world.png"))]]
+            .concat(),
+    );
+    assert!(one == 0 && soft > 100, "{one} grey pixels of a point, {soft} of a wide sun");
+    assert!(path("world.png").exists(), "the shaded picture is there too");
+    let unwritten = path("none.png");
+    for (more, named) in [
+        (&["--area-samples", "0"][..], "--area-samples"),
+        (&["--area-samples", "2000"], "--area-samples"),
+        (&["--area-samples", "16", "--area-degrees", "-1"], "--area-degrees"),
+        (&["--area-samples", "16", "--area-degrees", "180"], "--area-degrees"),
+        (&["--area-degrees", "5"], "--area-samples"),
+    ] {
+        let args = ["render", "primitives", "--visibility", text(&unwritten)];
+        refused(&[&args[..], more].concat(), 2, named, Some(&unwritten));
+    }
+}

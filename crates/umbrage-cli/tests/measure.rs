@@ -158,6 +158,33 @@ fn a_report_that_was_cut_off_gives_the_same_page_as_one_that_ran_through() {
 }
 
 #[test]
+fn a_report_judges_by_the_truths_it_asks_for_and_a_wide_light_is_nearest_to_a_wide_sun() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (path, out) = (folder.path().join("soft.toml"), folder.path().join("out"));
+    let truths = "repeats = 1\ntruths = [\"sub_pixel\", \"wide_sun\"]\nlight_points = 32";
+    let text_of_experiment = EXPERIMENT
+        .replace("repeats = 2", truths)
+        .replace("\"bytes\"]", "\"wide_sun.rmse\", \"sub_pixel.umbra_light\"]")
+        .replace("name = \"fine\"", "name = \"fine\"\narea = { samples = 16, degrees = 5 }");
+    std::fs::write(&path, text_of_experiment).expect("written");
+    stdout(&["report", text(&path), "-o", text(&out)]);
+    let json = std::fs::read_to_string(out.join("soft.json")).expect("written");
+    let json: Value = serde_json::from_str(&json).expect("JSON");
+    let rows = json["rows"].as_array().expect("rows");
+    let rmse = |way: &str, truth: &str| -> Vec<f64> {
+        let rows = rows.iter().filter(|row| row["way"] == way);
+        rows.map(|row| row["measurement"][truth]["rmse"].as_f64().expect("a figure")).collect()
+    };
+    let (hard, wide) = (rmse("coarse", "wide_sun"), rmse("fine", "wide_sun"));
+    assert!(
+        wide.len() == 2 && wide.iter().zip(&hard).all(|(wide, hard)| 2.0 * wide < *hard),
+        "{wide:?}, {hard:?}"
+    );
+    assert!(rmse("fine", "sub_pixel").iter().all(|rmse| *rmse > 0.0), "both truths are asked for");
+    assert!(rows.iter().all(|row| row["measurement"]["sun"].is_null()), "nobody asked for our sun");
+}
+
+#[test]
 fn experiments_that_cannot_run_are_refused_by_line_and_key() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("wrong.toml");

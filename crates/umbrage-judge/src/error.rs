@@ -177,7 +177,7 @@ fn decades(truth: &Truth, edges: &Edges, visibility: &[f32]) -> Vec<DepthBand> {
 }
 
 /// Claimed minus true visibility of every judged pixel.
-fn differences(truth: &Truth, smooth: Option<&Smooth>, visibility: &[f32]) -> Vec<f64> {
+pub(crate) fn differences(truth: &Truth, smooth: Option<&Smooth>, visibility: &[f32]) -> Vec<f64> {
     let hard = |pixel: Pixel| if pixel == Pixel::Lit { 1.0 } else { 0.0 };
     let judged = (0..truth.pixels.len()).filter(|i| truth.pixels[*i].is_judged());
     let truth_at = |i: usize| smooth.map_or_else(|| hard(truth.pixels[i]), |smooth| smooth.visibility[i]);

@@ -3,8 +3,8 @@
 //! [`World`] is a scene at one time as triangles in a tree. [`Light`] is a sun, a spot or a point. [`Truth`] is what a
 //! camera sees of a world by a light: for every pixel the first surface, and whether the light reaches it. [`Error`]
 //! compares a claim with the truth: how many pixels are wrongly shadowed, which way, by how many pixels edges are
-//! displaced, and why. [`temporal`] does the same for a claim that changes from frame to frame, and [`statistics`] says
-//! how sure a figure is.
+//! displaced, and why. [`Deviation`] is how far visibility is from a truth between lit and shadowed. [`temporal`] judges a
+//! claim that changes from frame to frame, and [`statistics`] says how sure a figure is.
 //!
 //! Positions are in world space, metres; arithmetic is f64. Visibility is 1 for lit and 0 for shadowed. Pictures are
 //! rows of pixels from top to bottom.
@@ -18,6 +18,7 @@ pub mod statistics;
 pub mod temporal;
 
 mod causes;
+mod deviation;
 mod edges;
 mod error;
 mod eye;
@@ -30,6 +31,7 @@ mod truth;
 mod world;
 
 pub use causes::Causes;
+pub use deviation::{Compared, Deviation};
 pub use edges::Edges;
 pub use error::{Claim, DepthBand, Error};
 pub use eye::{Eye, jittered};

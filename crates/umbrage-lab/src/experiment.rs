@@ -12,7 +12,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 use umbrage::Settings;
 
 use self::source::Source;
-use crate::cell::Motion;
+use crate::cell::{AreaLight, Motion, SmoothTruth};
+use crate::flicker::Watch;
 use crate::settings::{self, WrongSettings};
 use crate::{LabError, files};
 
@@ -55,6 +56,15 @@ pub struct Experiment {
     /// Paths along which flicker is measured; without any, single pictures are.
     #[serde(default)]
     pub motions: Vec<Motion>,
+    /// How long those paths are, and how many points are watched.
+    #[serde(default)]
+    pub watch: Watch,
+    /// What visibility is compared with besides the hard truth, which always is.
+    #[serde(default)]
+    pub truths: Vec<SmoothTruth>,
+    /// Points of each light that a soft truth is the mean of.
+    #[serde(default = "default_light_points")]
+    pub light_points: u32,
     /// Columns of the table, by their keys in [`crate::figures`].
     pub columns: Vec<String>,
     /// Plots over the table.
@@ -77,6 +87,9 @@ pub struct Way {
     /// Settings over the preset, as in a `[shadows]` table.
     #[serde(default)]
     pub set: toml::Table,
+    /// Lights of some size instead of points: a map for each of many samples, the reference for soft shadows.
+    #[serde(default)]
+    pub area: Option<AreaLight>,
     /// One setting that takes several values in turn.
     #[serde(default)]
     pub sweep: Option<Sweep>,
@@ -196,6 +209,10 @@ impl Way {
 
 fn default_size() -> [u32; 2] {
     [640, 360]
+}
+
+fn default_light_points() -> u32 {
+    256
 }
 
 fn default_preset() -> String {

@@ -49,6 +49,18 @@ pub const ALL: &[Figure] = &[
     figure("error.causes.leak", "leak", Format::Percent),
     figure("error.causes.range", "out of range", Format::Percent),
     figure("error.causes.other", "other", Format::Percent),
+    figure("sub_pixel.rmse", "RMSE, sub-pixel", Format::Plain),
+    figure("sub_pixel.mae", "mean error, sub-pixel", Format::Plain),
+    figure("sub_pixel.bias", "bias, sub-pixel", Format::Plain),
+    figure("sub_pixel.umbra_light", "light in umbrae, sub-pixel", Format::Percent),
+    figure("sun.rmse", "RMSE, sun", Format::Plain),
+    figure("sun.mae", "mean error, sun", Format::Plain),
+    figure("sun.bias", "bias, sun", Format::Plain),
+    figure("sun.umbra_light", "light in umbrae, sun", Format::Percent),
+    figure("wide_sun.rmse", "RMSE, wide sun", Format::Plain),
+    figure("wide_sun.mae", "mean error, wide sun", Format::Plain),
+    figure("wide_sun.bias", "bias, wide sun", Format::Plain),
+    figure("wide_sun.umbra_light", "light in umbrae, wide sun", Format::Percent),
     figure("flip", "FLIP", Format::Plain),
     figure("aliasing.median_px", "texel, median", Format::Pixels),
     figure("aliasing.p95_px", "texel, 95th percentile", Format::Pixels),
@@ -102,17 +114,17 @@ impl Figure {
 
     /// Whether it needs pixels that are judged.
     pub fn is_of_judged_pixels(&self) -> bool {
-        let is_of_pixels = self.key.starts_with("error.") || self.key.starts_with("aliasing.");
-        is_of_pixels || matches!(self.key, "flip" | "jump")
+        let parts = ["error.", "sub_pixel.", "sun.", "wide_sun.", "aliasing."];
+        parts.iter().any(|part| self.key.starts_with(part)) || matches!(self.key, "flip" | "jump")
     }
 
     /// Whether less of it is better. Not so of what describes the world, and of what is best in the middle.
     pub fn is_better_lower(&self) -> bool {
         let is_best_elsewhere = matches!(
             self.key,
-            "error.bias" | "jump" | "aliasing.median_px" | "aliasing.over_sampled" | "aliasing.utilisation"
+            "jump" | "aliasing.median_px" | "aliasing.over_sampled" | "aliasing.utilisation"
         );
-        !self.key.starts_with("truth.") && !is_best_elsewhere
+        !self.key.starts_with("truth.") && !self.key.ends_with(".bias") && !is_best_elsewhere
     }
 
     /// Its label with its unit, as columns and axes are headed.

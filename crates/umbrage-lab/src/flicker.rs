@@ -1,15 +1,15 @@
 //! Measures how unsteady shadows are: the visibility of fixed points of the world along a path, frame by frame.
 //!
-//! Every point asks the shadow maps themselves, through the same lookup as the shaders' ([`umbrage::Lookup`]), so that
-//! the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
+//! Every point asks the shadow maps themselves, through the shaders' own lookup ([`umbrage_render::Renderer::ask`]), so
+//! that the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
 //! points that something hides are not, for the maps answer for them all the same.
 
 use glam::{Mat4, Vec3};
-use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use umbrage::Settings;
 use umbrage_judge::temporal::{Anchor, Flicker, Seen, anchors, visibility};
 use umbrage_judge::{Eye, Light};
-use umbrage_render::{Frame, Show};
+use umbrage_render::{Point, Show};
 use umbrage_scene::{Camera, Instance, LightKind};
 
 use crate::cell::Motion;
@@ -17,7 +17,8 @@ use crate::error::LabError;
 use crate::laboratory::{Laboratory, Shot};
 
 /// How long a path is, and how many points are looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Watch {
     /// Frames of the path.
     pub frames: usize,
@@ -39,7 +40,7 @@ impl Laboratory<'_> {
     /// light.
     ///
     /// # Errors
-    /// As [`Laboratory::judge`]; and where the device cannot copy depth (GL).
+    /// As [`Laboratory::judge`]; and where the world has nothing that moves so.
     pub fn flicker(
         &mut self,
         shot: &Shot,
@@ -97,33 +98,26 @@ impl Laboratory<'_> {
         eye: &Eye,
         anchors: &[Anchor],
     ) -> Result<Vec<Seen>, LabError> {
-        let plan = self.renderer().render(&maps_only(shot)?)?.plan;
-        let maps = self.renderer().maps()?;
-        let lookup = umbrage::Lookup { plan: &plan, settings, maps: &maps };
-        let claim = |anchor: &Anchor| {
-            let (position, normal) = (anchor.position.as_vec3(), anchor.normal.as_vec3());
-            let view = umbrage::view_of(&plan, settings, 0, position, normal);
+        let plan = self.renderer().render(&shot.frame(Show::Nothing)?)?.plan;
+        let point =
+            |anchor: &Anchor| Point { position: anchor.position.as_vec3(), normal: anchor.normal.as_vec3() };
+        let points: Vec<Point> = anchors.iter().map(point).collect();
+        let answers = self.renderer().ask(0, &points)?;
+        let claim = |((anchor, point), answer): ((&Anchor, &Point), f32)| {
+            let view = umbrage::view_of(&plan, settings, 0, point.position, point.normal);
             Seen {
-                visibility: match eye.project(anchor.position) {
-                    Some(_) => lookup.visibility(0, position, normal),
-                    None => f32::NAN,
-                },
+                visibility: eye.project(anchor.position).map_or(f32::NAN, |_| answer),
                 map: view.map_or(usize::MAX, |view| view.index),
             }
         };
-        Ok(anchors.par_iter().map(claim).collect())
+        Ok(anchors.iter().zip(&points).zip(answers).map(claim).collect())
     }
 
     /// The size of the finest view's texels, metres.
     fn finest_texel(&mut self, shot: &Shot) -> Result<f32, LabError> {
-        let plan = self.renderer().render(&maps_only(shot)?)?.plan;
+        let plan = self.renderer().render(&shot.frame(Show::Nothing)?)?.plan;
         Ok(plan.views().iter().map(|view| view.texel_metres).fold(f32::INFINITY, f32::min))
     }
-}
-
-/// A frame with the maps of a shot, and a picture as small as can be.
-fn maps_only(shot: &Shot) -> Result<Frame, LabError> {
-    Ok(Frame { width: 1, height: 1, ..shot.frame(Show::Visibility(0))? })
 }
 
 /// The shot as it is in a frame of a path.

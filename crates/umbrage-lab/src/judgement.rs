@@ -7,14 +7,7 @@ use umbrage_judge::{Claim, DepthBand, Edges, Error, Part, Pixel, Receiver, Smoot
 use crate::aliasing::Aliasing;
 use crate::heat::Wrongness;
 use crate::measurement::{MeasuredLight, TruthCounts};
-
-/// What is true of one light.
-#[derive(Debug)]
-pub(crate) struct Traced {
-    pub truth: Truth,
-    pub edges: Edges,
-    pub smooth: Option<Smooth>,
-}
+use crate::truths::Traced;
 
 /// What one light's shadows came to.
 pub(crate) struct Judgement {
@@ -26,16 +19,18 @@ pub(crate) struct Judgement {
 }
 
 impl Judgement {
-    /// Of light number `light` of the plan, by what its maps say of each pixel.
+    /// Of light number `light` of the plan, by what its maps say of each pixel. `smooth` is a truth between lit and
+    /// shadowed, for the figures that know such.
     pub fn new(
         world: &World,
         plan: &ShadowPlan,
         settings: &Settings,
         light: usize,
         traced: &Traced,
+        smooth: Option<&Smooth>,
         visibility: &[f32],
     ) -> Self {
-        let Traced { truth, edges, smooth } = traced;
+        let Traced { truth, edges } = traced;
         let texel_metres = texel_metres(plan, settings, light, truth);
         let claim = Claim { visibility, texel_metres: &texel_metres };
         // Lamps' views are cut elsewhere, or not at all.
@@ -46,9 +41,9 @@ impl Judgement {
             ambiguous: truth.count(Pixel::Ambiguous),
             shadowed: truth.count(Pixel::Shadowed),
             edge_px: edges.length(),
-            standard_error: traced.mean_error(),
+            standard_error: smooth.map_or(0.0, |smooth| mean_error(truth, smooth)),
         };
-        let error = Error::new(world, truth, edges, smooth.as_ref(), &claim);
+        let error = Error::new(world, truth, edges, smooth, &claim);
         Self {
             part: error.map(|error| Part { error, pixels: counts.pixels, edge_px: counts.edge_px }),
             counts,
@@ -65,15 +60,11 @@ impl Judgement {
     }
 }
 
-impl Traced {
-    /// The mean standard error over judged pixels; 0 without any.
-    fn mean_error(&self) -> f64 {
-        let Some(smooth) = &self.smooth else { return 0.0 };
-        let pixels = self.truth.pixels.iter().zip(&smooth.standard_error);
-        let sum: f64 =
-            pixels.filter(|(pixel, _)| pixel.is_judged()).map(|(_, error)| f64::from(*error)).sum();
-        sum / self.truth.judged().max(1) as f64
-    }
+/// The mean standard error over judged pixels; 0 without any.
+fn mean_error(truth: &Truth, smooth: &Smooth) -> f64 {
+    let pixels = truth.pixels.iter().zip(&smooth.standard_error);
+    let sum: f64 = pixels.filter(|(pixel, _)| pixel.is_judged()).map(|(_, error)| f64::from(*error)).sum();
+    sum / truth.judged().max(1) as f64
 }
 
 /// What the truth says of all lights together.

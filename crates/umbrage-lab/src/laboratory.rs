@@ -5,15 +5,16 @@ use std::time::Duration;
 
 use umbrage::{Settings, ShadowPlan};
 use umbrage_judge::statistics::Spread;
-use umbrage_judge::{DepthBand, Edges, Error, Eye, Light, Part, Pixel, Truth, World};
-use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
+use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
+use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
 use umbrage_scene::{Camera, Scene};
 
 use crate::aliasing::Aliasing;
 use crate::error::LabError;
 use crate::heat::heat_map;
-use crate::judgement::{Judgement, Traced, pooled, wrongness};
+use crate::judgement::{Judgement, pooled, wrongness};
 use crate::measurement::{Measurement, Milliseconds};
+use crate::truths::{Traced, Truths};
 
 /// A picture to take.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,8 @@ pub enum TruthKind {
 pub struct Judged {
     /// The figures.
     pub measurement: Measurement,
+    /// Of each light, the visibility of every pixel, 0 to 1.
+    pub visibility: Vec<Vec<f32>>,
     /// The shaded picture, one sample a pixel.
     pub shaded: Picture,
     /// The same with true shadows. Pixels that are not judged are as in `shaded`.
@@ -71,16 +74,7 @@ pub struct Laboratory<'a> {
     renderer: Renderer<'a>,
     /// The scene's triangles, at the time they were last needed.
     world: Option<(f32, Arc<World>)>,
-    /// The last truth, light by light, since several settings are judged by the same one.
-    truth: Option<(TruthKey, Arc<Vec<Traced>>)>,
-}
-
-/// All that a truth depends on.
-#[derive(Clone, Debug, PartialEq)]
-struct TruthKey {
-    shot: Shot,
-    kind: TruthKind,
-    distance: f64,
+    truths: Truths,
 }
 
 impl<'a> Laboratory<'a> {
@@ -90,7 +84,7 @@ impl<'a> Laboratory<'a> {
     /// As [`Renderer::new`].
     pub fn new(gpu: &'a Gpu, scene: &'a Scene) -> Result<Self, LabError> {
         let renderer = Renderer::new(gpu, scene, Settings::default())?;
-        Ok(Self { scene, gpu, renderer, world: None, truth: None })
+        Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default() })
     }
 
     /// The scene.
@@ -108,7 +102,8 @@ impl<'a> Laboratory<'a> {
         &mut self.renderer
     }
 
-    /// Draws and judges a picture, and draws `frames` more of it for their times.
+    /// Draws and judges a picture, and draws `frames` more of it for their times. With an area, lights have that size, and
+    /// visibility is the mean over their samples.
     ///
     /// # Errors
     /// When the camera, a light or the settings cannot be used, or drawing fails.
@@ -116,29 +111,33 @@ impl<'a> Laboratory<'a> {
         &mut self,
         shot: &Shot,
         settings: &Settings,
+        area: Option<Area>,
         kind: TruthKind,
         frames: u32,
     ) -> Result<Judged, LabError> {
         self.use_settings(settings)?;
         let frame = shot.frame(Show::World)?;
-        let mut visibility = Vec::new();
-        for light in 0..shot.lights.len() {
-            visibility.push(grey(&self.picture(&frame, Show::Visibility(light))?));
-        }
+        let visibility = self.visibility(&frame, area)?;
         let plan = self.renderer.render(&frame)?.plan;
-        let shaded = self.renderer.picture()?;
-        let times = self.times(&frame, frames)?;
+        let shaded = match area {
+            None => self.renderer.picture()?,
+            Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
+        };
+        let times = self.times(&frame, area, frames)?;
 
         let start = std::time::Instant::now();
-        let traced = self.trace(shot, kind, plan.splits().last().copied().unwrap_or(f64::INFINITY));
         let world = self.world_at(shot.seconds);
+        let distance = shadow_distance(&plan);
+        let traced = self.truths.hard(shot, distance, &world);
+        let smooth = self.truths.smooth(shot, distance, &world, kind);
         let tracing = start.elapsed();
         let judgements: Vec<Judgement> = visibility
             .iter()
             .zip(traced.iter())
             .enumerate()
             .map(|(light, (visibility, traced))| {
-                Judgement::new(&world, &plan, settings, light, traced, visibility)
+                let smooth = smooth.as_ref().and_then(|smooth| smooth.get(light));
+                Judgement::new(&world, &plan, settings, light, traced, smooth, visibility)
             })
             .collect();
         let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
@@ -159,6 +158,9 @@ impl<'a> Laboratory<'a> {
             bytes: layout.bytes(),
             truth: pooled(&judgements),
             error,
+            sub_pixel: None,
+            sun: None,
+            wide_sun: None,
             aliasing: judgements.first().and_then(|of| of.aliasing.summary),
             lights: shot.lights.iter().zip(&judgements).map(|(light, of)| of.measured(&light.name)).collect(),
             flip,
@@ -172,7 +174,19 @@ impl<'a> Laboratory<'a> {
             flicker: None,
         };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &wrongness(&traced, &visibility)), ..shaded };
-        Ok(Judged { measurement, shaded, true_picture, heat_map, plan, tracing })
+        Ok(Judged { measurement, visibility, shaded, true_picture, heat_map, plan, tracing })
+    }
+
+    /// How far a judged picture of a shot is from a truth between lit and shadowed, all lights together. `None` of the
+    /// hard truth, and where no pixel is judged. What is traced is kept until another shot.
+    pub fn deviation(&mut self, shot: &Shot, judged: &Judged, kind: TruthKind) -> Option<Deviation> {
+        let (world, distance) = (self.world_at(shot.seconds), shadow_distance(&judged.plan));
+        let traced = self.truths.hard(shot, distance, &world);
+        let smooth = self.truths.smooth(shot, distance, &world, kind)?;
+        let lights = traced.iter().zip(smooth.iter()).zip(&judged.visibility);
+        let compared =
+            lights.map(|((Traced { truth, .. }, smooth), visibility)| Compared { truth, smooth, visibility });
+        Deviation::new(&compared.collect::<Vec<_>>())
     }
 
     /// How large the texels of one of a shot's lights look, pixel by pixel.
@@ -182,8 +196,8 @@ impl<'a> Laboratory<'a> {
     pub fn aliasing(&mut self, shot: &Shot, settings: &Settings, light: usize) -> Result<Aliasing, LabError> {
         self.use_settings(settings)?;
         let plan = self.renderer.render(&shot.frame(Show::World)?)?.plan;
-        let traced =
-            self.trace(shot, TruthKind::Hard, plan.splits().last().copied().unwrap_or(f64::INFINITY));
+        let world = self.world_at(shot.seconds);
+        let traced = self.truths.hard(shot, shadow_distance(&plan), &world);
         let missing = || LabError::Missing { what: format!("light {light}"), world: self.scene.name.clone() };
         let Traced { truth, .. } = traced.get(light).ok_or_else(missing)?;
         Ok(Aliasing::new(&plan, settings, light, truth))
@@ -207,30 +221,6 @@ impl<'a> Laboratory<'a> {
         world
     }
 
-    /// What is true of a shot, light by light.
-    fn trace(&mut self, shot: &Shot, kind: TruthKind, distance: f64) -> Arc<Vec<Traced>> {
-        let key = TruthKey { shot: shot.clone(), kind, distance };
-        if let Some((_, traced)) = self.truth.as_ref().filter(|(of, _)| *of == key) {
-            return Arc::clone(traced);
-        }
-        let world = self.world_at(shot.seconds);
-        let eye = Eye::new(&shot.camera, shot.width, shot.height);
-        let trace = |light: &umbrage_scene::Light| {
-            let truth = Truth::new(&world, &eye, &Light::at(light, shot.seconds), distance);
-            let smooth = match kind {
-                TruthKind::Hard => None,
-                TruthKind::SubPixel(side) => Some(umbrage_judge::sub_pixel(&world, &truth, side)),
-                TruthKind::Soft { samples, angle } => {
-                    Some(umbrage_judge::soft(&world, &truth, 0.5 * angle, samples))
-                }
-            };
-            Traced { edges: Edges::new(&truth), truth, smooth }
-        };
-        let traced = Arc::new(shot.lights.iter().map(trace).collect());
-        self.truth = Some((key, Arc::clone(&traced)));
-        traced
-    }
-
     /// The picture with true shadows. Where a light is not judged, its shadows are as claimed; pixels where none is
     /// judged are as in `shaded`.
     fn true_picture(
@@ -240,14 +230,14 @@ impl<'a> Laboratory<'a> {
         visibility: &[Vec<f32>],
         shaded: &Picture,
     ) -> Result<Picture, LabError> {
-        let mut bits = vec![0; (frame.width * frame.height) as usize];
-        for (light, (traced, visibility)) in traced.iter().zip(visibility).enumerate() {
-            for (bits, (pixel, claimed)) in bits.iter_mut().zip(traced.truth.pixels.iter().zip(visibility)) {
-                let is_lit = if pixel.is_judged() { *pixel == Pixel::Lit } else { *claimed >= 0.5 };
-                *bits |= u32::from(is_lit) << light;
-            }
-        }
-        let picture = self.picture(frame, Show::Given(bits))?;
+        let known = |(pixel, claimed): (&Pixel, &f32)| match pixel {
+            Pixel::Lit => 1.0,
+            Pixel::Shadowed => 0.0,
+            Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => *claimed,
+        };
+        let lights = traced.iter().zip(visibility);
+        let given = lights.flat_map(|(traced, claimed)| traced.truth.pixels.iter().zip(claimed).map(known));
+        let picture = self.picture(frame, Show::Given(given.collect()))?;
         let is_judged = |i: usize| traced.iter().any(|traced| traced.truth.pixels[i].is_judged());
         let pixels = picture.rgba.as_chunks::<4>().0.iter().zip(shaded.rgba.as_chunks::<4>().0);
         let rgba =
@@ -260,9 +250,26 @@ impl<'a> Laboratory<'a> {
         Ok(self.renderer.picture()?)
     }
 
-    /// Times of `frames` frames, the first of which is drawn once more before.
-    fn times(&mut self, frame: &Frame, frames: u32) -> Result<Vec<FrameTimes>, LabError> {
-        (0..frames).map(|_| Ok(self.renderer.render(frame)?.times)).collect()
+    /// Of each lamp, the visibility of every pixel.
+    fn visibility(&mut self, frame: &Frame, area: Option<Area>) -> Result<Vec<Vec<f32>>, LabError> {
+        let of_lamp = |lamp| match area {
+            None => Ok(grey(&self.picture(frame, Show::Visibility(lamp))?)),
+            Some(area) => Ok(self.renderer.area(frame, lamp, area)?.visibility),
+        };
+        (0..frame.lamps.len()).map(of_lamp).collect()
+    }
+
+    /// Times of `frames` frames, each with all samples of all lamps where those have some size.
+    fn times(&mut self, frame: &Frame, area: Option<Area>, frames: u32) -> Result<Vec<FrameTimes>, LabError> {
+        let once = |_| {
+            let Some(area) = area else { return Ok(self.renderer.render(frame)?.times) };
+            let mut times = FrameTimes::default();
+            for lamp in 0..frame.lamps.len() {
+                times += self.renderer.area(frame, lamp, area)?.times;
+            }
+            Ok(times)
+        };
+        (0..frames).map(once).collect()
     }
 }
 
@@ -297,6 +304,11 @@ impl Milliseconds {
             frame: of(|t| t.frame),
         }
     }
+}
+
+/// How deep shadows reach, metres.
+fn shadow_distance(plan: &ShadowPlan) -> f64 {
+    plan.splits().last().copied().unwrap_or(f64::INFINITY)
 }
 
 /// Visibility of every pixel, from its grey.

@@ -27,8 +27,9 @@ mod measure;
 mod measurement;
 mod run;
 mod store;
+mod truths;
 
-pub use cell::{Cell, Motion};
+pub use cell::{AreaLight, Cell, Motion, SUB_PIXELS, SmoothTruth};
 pub use error::LabError;
 pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Way};
 pub use flicker::Watch;

@@ -8,9 +8,8 @@ use image::{ExtendedColorType, ImageEncoder as _};
 use umbrage_render::{Gpu, Picture};
 use umbrage_scene::Scene;
 
-use crate::cell::Cell;
+use crate::cell::{AreaLight, Cell};
 use crate::error::LabError;
-use crate::flicker::Watch;
 use crate::laboratory::{Laboratory, Shot, TruthKind};
 use crate::measurement::{Machine, Outcome, Pictures};
 
@@ -34,10 +33,14 @@ impl Laboratory<'_> {
     /// As [`Laboratory::judge`]; and where the world has no such camera or no light.
     pub fn measure(&mut self, cell: &Cell) -> Result<Outcome, LabError> {
         let shot = shot(self.scene(), cell)?;
-        let mut judged = self.judge(&shot, &cell.settings, TruthKind::Hard, cell.frames)?;
+        let area = cell.area.as_ref().map(AreaLight::area).transpose()?;
+        let mut judged = self.judge(&shot, &cell.settings, area, TruthKind::Hard, cell.frames)?;
+        for truth in &cell.truths {
+            let deviation = self.deviation(&shot, &judged, truth.kind(cell.light_points));
+            *judged.measurement.deviation_mut(*truth) = deviation;
+        }
         if let Some(motion) = cell.motion {
-            judged.measurement.flicker =
-                Some(self.flicker(&shot, &cell.settings, motion, Watch::default())?);
+            judged.measurement.flicker = Some(self.flicker(&shot, &cell.settings, motion, cell.watch)?);
         }
         let pictures = cell.pictures.then(|| Pictures::of(&judged.shaded, &judged.heat_map)).transpose()?;
         Ok(Outcome { machine: Machine::here(self.gpu()), measurement: judged.measurement, pictures })

@@ -4,9 +4,10 @@ use serde::{Deserialize, Serialize};
 use umbrage::Settings;
 use umbrage_judge::statistics::Spread;
 use umbrage_judge::temporal::Flicker;
-use umbrage_judge::{DepthBand, Error};
+use umbrage_judge::{DepthBand, Deviation, Error};
 
 use crate::aliasing::AliasingSummary;
+use crate::cell::SmoothTruth;
 
 /// The figures of one picture, or of one path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,7 +34,13 @@ pub struct Measurement {
     pub truth: TruthCounts,
     /// How wrong the picture is, all lights together; absent where no pixel is judged.
     pub error: Option<Error>,
-    /// The same light by light.
+    /// How far visibility is from the mean over each pixel's area; absent where that was not asked for.
+    pub sub_pixel: Option<Deviation>,
+    /// How far it is from shadows of the sun's size; absent where that was not asked for.
+    pub sun: Option<Deviation>,
+    /// How far it is from shadows of a sun ten times as wide; absent where that was not asked for.
+    pub wide_sun: Option<Deviation>,
+    /// `error` light by light.
     pub lights: Vec<MeasuredLight>,
     /// How large the first light's texels look; absent where none is read.
     pub aliasing: Option<AliasingSummary>,
@@ -49,6 +56,17 @@ pub struct Measurement {
     pub every_frame: Vec<[f64; 4]>,
     /// How unsteady shadows are along a path; absent for a single picture.
     pub flicker: Option<Flicker>,
+}
+
+impl Measurement {
+    /// Where the deviation from a truth is kept.
+    pub(crate) fn deviation_mut(&mut self, truth: SmoothTruth) -> &mut Option<Deviation> {
+        match truth {
+            SmoothTruth::SubPixel => &mut self.sub_pixel,
+            SmoothTruth::Sun => &mut self.sun,
+            SmoothTruth::WideSun => &mut self.wide_sun,
+        }
+    }
 }
 
 /// What one light's shadows came to.

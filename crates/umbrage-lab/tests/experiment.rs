@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use umbrage_lab::{Entry, Experiment, LabError, Motion};
+use umbrage_lab::{AreaLight, Entry, Experiment, LabError, Motion, SmoothTruth, Watch};
 
 /// Lines are counted in the refusals below.
 const GOOD: &str = r#"title = "A test"
@@ -258,6 +258,51 @@ fn numbers_out_of_range_are_refused() {
         refused_with("times = 0.5", &format!("times = {times}"), 44, "claims.times", "positive");
     }
     assert!(read(GOOD.replace("[64, 36]", "[16384, 1]").replace("frames = 5", "frames = 100000")).is_ok());
+}
+
+#[test]
+fn truths_and_watches_come_to_every_cell_and_areas_to_their_way() {
+    let plain = cells(&read(GOOD).unwrap());
+    assert!(plain.iter().all(|e| e.cell.truths.is_empty() && e.cell.watch == Watch::default()));
+    let more = "motions = []\ntruths = [\"sub_pixel\", \"sun\", \"wide_sun\"]\nlight_points = 64\nwatch = { points = 5000 }";
+    let text = GOOD
+        .replace("motions = []", more)
+        .replace("preset = \"ferko-sm-1024\"", "area = { samples = 256, degrees = 0.53 }");
+    for Entry { way, cell, .. } in cells(&read(text).unwrap()) {
+        assert_eq!(cell.truths, [SmoothTruth::SubPixel, SmoothTruth::Sun, SmoothTruth::WideSun]);
+        assert_eq!((cell.light_points, cell.watch), (64, Watch { frames: 240, points: 5000 }));
+        let wanted = (way == 0).then_some(AreaLight { samples: 256, degrees: 0.53 });
+        assert_eq!(cell.area, wanted, "way {way}");
+    }
+}
+
+#[test]
+fn wrong_truths_watches_and_areas_are_refused() {
+    let with = |line: &str, at: usize, key: &str, wanted: &str| {
+        refused_with("motions = []", &format!("motions = []\n{line}"), at, key, wanted);
+    };
+    with("truths = [\"hard\"]", 15, "truths", "unknown variant `hard`");
+    with("truths = [\"sun\",\n\"sun\"]", 16, "truths", "twice");
+    with("light_points = 7", 15, "light_points", "from 8 to 65536 points of each light, got 7");
+    with("light_points = 65537", 15, "light_points", "got 65537");
+    with("watch = { frames = 2 }", 15, "watch.frames", "from 3 to 10000 frames, got 2");
+    with("watch = { points = 0 }", 15, "watch.points", "got 0");
+    with("watch = { seconds = 2 }", 15, "watch.seconds", "unknown field");
+    let area = |area: &str, key: &str, wanted: &str| {
+        refused_with("preset = \"ferko-sm-1024\"", &format!("area = {area}"), 19, key, wanted);
+    };
+    area("{ samples = 0, degrees = 5 }", "ways.area.samples", "from 1 to 1024 samples, got 0");
+    area("{ samples = 2000, degrees = 5 }", "ways.area.samples", "got 2000");
+    for degrees in ["-1", "180", "nan", "inf"] {
+        let wanted = "0 to below 180 degrees";
+        area(&format!("{{ samples = 16, degrees = {degrees} }}"), "ways.area.degrees", wanted);
+    }
+    area("{ samples = 16 }", "ways.area.degrees", "missing field");
+    area("{ samples = 16, degrees = 5, size = 1 }", "ways.area.size", "unknown field");
+    let moving = GOOD
+        .replace("motions = []", "motions = [\"yaw\"]")
+        .replace("preset = \"ferko-sm-1024\"", "area = { samples = 16, degrees = 5 }");
+    refused(&moving, 19, "ways.area", "leave out");
 }
 
 #[test]

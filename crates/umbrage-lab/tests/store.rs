@@ -8,9 +8,10 @@ use tempfile::TempDir;
 use umbrage::Settings;
 use umbrage_judge::statistics::Spread;
 use umbrage_judge::temporal::Flicker;
-use umbrage_judge::{Causes, DepthBand, Error};
+use umbrage_judge::{Causes, DepthBand, Deviation, Error};
 use umbrage_lab::{
-    Cell, Entry, LabError, Machine, Measurement, Milliseconds, Motion, Outcome, Pictures, Store, TruthCounts,
+    AreaLight, Cell, Entry, LabError, Machine, Measurement, Milliseconds, Motion, Outcome, Pictures,
+    SmoothTruth, Store, TruthCounts, Watch,
 };
 
 fn cell(repeat: u32) -> Cell {
@@ -21,10 +22,14 @@ fn cell(repeat: u32) -> Cell {
         camera: "main".to_owned(),
         repeat,
         settings: Settings { lambda: 0.1, distance: Some(1.0 / 3.0), ..Settings::default() },
+        area: None,
+        truths: vec![SmoothTruth::Sun],
+        light_points: 64,
         size: [64, 36],
         frames: 3,
         pictures: true,
         motion: Some(Motion::Yaw),
+        watch: Watch::default(),
         adapter: "lavapipe".to_owned(),
         program: "f00d".to_owned(),
     }
@@ -80,6 +85,9 @@ fn outcome(cell: &Cell) -> Outcome {
             causes: Causes { edge: 0.3, ..Causes::default() },
             decades: vec![band.clone()],
         }),
+        sub_pixel: None,
+        sun: Some(Deviation { rmse: 0.1, mae: 1.0 / 3.0, bias: -0.0, umbra_light: Some(1e-300) }),
+        wide_sun: Some(Deviation { rmse: 0.3, mae: 0.2, bias: 0.1, umbra_light: None }),
         lights: Vec::new(),
         aliasing: Default::default(),
         flip: Some(0.07),
@@ -142,6 +150,10 @@ fn every_input_has_a_result_of_its_own() {
         Cell { camera: text("far"), ..cell(0) },
         Cell { repeat: 1, ..cell(0) },
         Cell { settings: Settings { lambda: 0.1f32.next_up(), ..cell(0).settings }, ..cell(0) },
+        Cell { area: Some(AreaLight { samples: 16, degrees: 5.0 }), ..cell(0) },
+        Cell { truths: vec![SmoothTruth::WideSun], ..cell(0) },
+        Cell { light_points: 65, ..cell(0) },
+        Cell { watch: Watch { frames: 60, points: 5_000 }, ..cell(0) },
         Cell { size: [36, 64], ..cell(0) },
         Cell { frames: 4, ..cell(0) },
         Cell { pictures: false, ..cell(0) },

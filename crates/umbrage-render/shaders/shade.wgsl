@@ -18,7 +18,7 @@ struct Scene {
     clip_from_world: mat4x4f,
     world_from_clip: mat4x4f,
     eye: vec3f,
-    /// Whom to ask for visibility: 0 the shadow maps, 1 nobody, 2 the given bits.
+    /// Whom to ask for visibility: 0 the shadow maps, 1 nobody, 2 what is given.
     asked: u32,
     /// Unit, in world space, for the sky.
     direction_to_sun: vec3f,
@@ -31,6 +31,8 @@ struct Scene {
     shown_lamp: u32,
     /// Of the picture, pixels.
     width: u32,
+    /// Of the picture, pixels.
+    height: u32,
     /// How bright the sky is: 1 by day.
     daylight: f32,
     lamps: array<Lamp, 16>,
@@ -38,8 +40,8 @@ struct Scene {
 
 @group(0) @binding(0) var<uniform> scene: Scene;
 @group(0) @binding(1) var<storage, read> instances: array<mat4x4f>;
-/// Of every pixel, where asked for: bit i says whether lamp i reaches it.
-@group(0) @binding(2) var<storage, read> given: array<u32>;
+/// Visibility of every pixel, where asked for: for the first lamp, then for the next.
+@group(0) @binding(2) var<storage, read> given: array<f32>;
 
 @group(2) @binding(0) var<uniform> base_colour: vec4f;
 @group(2) @binding(1) var base_texture: texture_2d<f32>;
@@ -90,7 +92,7 @@ fn visibility_at(lamp: u32, receiver: Receiver, normal: vec3f) -> f32 {
     }
     if scene.asked == 2u {
         let pixel = vec2u(receiver.clip.xy);
-        return f32((given[pixel.y * scene.width + pixel.x] >> lamp) & 1u);
+        return given[(lamp * scene.height + pixel.y) * scene.width + pixel.x];
     }
     return umbrage_light_visibility(lamp, scene.eye + receiver.from_eye, normal, receiver.clip.xy);
 }

@@ -38,7 +38,7 @@ pub fn lamp(light: &umbrage_scene::Light, seconds: f32) -> Result<Lamp, RenderEr
 }
 
 /// A file's spot may shine on half of the world; no one map holds that, and the last tenth of a degree is given up.
-const WIDEST_HALF_ANGLE: f32 = std::f32::consts::FRAC_PI_2 - 1e-3;
+pub(crate) const WIDEST_HALF_ANGLE: f32 = std::f32::consts::FRAC_PI_2 - 1e-3;
 
 /// The light of any sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
 const SUN_LIGHT: f32 = 2.6;

@@ -47,6 +47,25 @@ pub enum RenderError {
         /// How many there may be.
         most: u64,
     },
+    /// A lamp that the frame does not cast shadows of.
+    #[error("there is no lamp {lamp}; the frame has shadows of {lamps}, counted from 0")]
+    NoSuchLamp {
+        /// Which was asked for.
+        lamp: usize,
+        /// How many there are.
+        lamps: usize,
+    },
+    /// Too many samples of a light of some size, or none.
+    #[error("an area light needs from 1 to {most} samples, got {got}")]
+    AreaSamples {
+        /// How many were asked for.
+        got: u32,
+        /// How many there may be.
+        most: u32,
+    },
+    /// A light that is larger than half of the sky, or smaller than nothing.
+    #[error("an area light must be seen under 0 to below 180 degrees, got {0}")]
+    AreaDegrees(f32),
     /// The scene's camera cannot be used.
     #[error(transparent)]
     Camera(#[from] CameraError),

@@ -149,6 +149,47 @@ impl Gpu {
         }
     }
 
+    /// Copies the first `count` numbers of a buffer to the CPU, and waits for them.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub(crate) fn read_floats(&self, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<f32>, RenderError> {
+        let size = 4 * count as u64;
+        let copy = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("Gpu::read_floats"),
+            size,
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, size);
+        self.queue.submit([encoder.finish()]);
+        self.read_mapped(&copy, |bytes| {
+            bytes.as_chunks().0.iter().map(|four| f32::from_ne_bytes(*four)).collect()
+        })
+    }
+
+    /// What `read` makes of the bytes of a buffer that can be mapped, once everything handed over is done.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub(crate) fn read_mapped<T>(
+        &self,
+        buffer: &wgpu::Buffer,
+        read: impl FnOnce(&[u8]) -> T,
+    ) -> Result<T, RenderError> {
+        let failed = |error: &dyn std::fmt::Display| RenderError::Device(error.to_string());
+        let (sender, receiver) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver lives until the result has come.
+            let _ = sender.send(result);
+        });
+        self.wait()?;
+        receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
+        let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
+        Ok(read(&mapped))
+    }
+
     /// Waits until everything that was handed over is done.
     ///
     /// # Errors

@@ -10,6 +10,8 @@
 
 pub mod draws;
 
+mod area;
+mod ask;
 mod casters;
 mod convert;
 mod error;
@@ -21,6 +23,8 @@ mod target;
 mod textures;
 mod timing;
 
+pub use area::{Area, AreaRendered, MOST_SAMPLES};
+pub use ask::Point;
 pub use convert::{bounds, camera, lamp};
 pub use error::RenderError;
 pub use gpu::{AdapterDescription, Gpu};

@@ -2,10 +2,11 @@
 
 use std::time::Instant;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use umbrage::{Camera, Light, MapTexels, Settings, ShadowPlan, Shadows};
 use umbrage_scene::Scene;
 
+use crate::ask::{Asking, SeenFrom};
 use crate::casters::CasterPipelines;
 use crate::draws::{Draw, DrawLists, Materials, PartTable};
 use crate::error::RenderError;
@@ -46,19 +47,21 @@ pub struct Frame {
 }
 
 /// What a picture shows.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Show {
     /// The world with its shadows.
     World,
     /// The world without shadows, and without drawing any.
     Unshadowed,
-    /// The world with shadows that are given, and without drawing any: bit i of each pixel says whether lamp i reaches it.
-    /// One sample a pixel.
-    Given(Vec<u32>),
+    /// The world with shadows that are given, and without drawing any: visibility, 0 to 1, of every pixel for the first
+    /// lamp, then for the next. One sample a pixel.
+    Given(Vec<f32>),
     /// The world with its shadows, and what each view of the first lamp serves tinted.
     Splits,
     /// How much of one lamp's light reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
     Visibility(usize),
+    /// Nothing: the shadow maps alone are drawn, to be asked or read. The picture has one pixel.
+    Nothing,
 }
 
 impl Frame {
@@ -66,7 +69,7 @@ impl Frame {
     fn shadowed(&self) -> Vec<Light> {
         match self.show {
             Show::Unshadowed | Show::Given(_) => Vec::new(),
-            Show::World | Show::Splits | Show::Visibility(_) => {
+            Show::World | Show::Splits | Show::Visibility(_) | Show::Nothing => {
                 self.lamps.iter().map(|lamp| lamp.light).collect()
             }
         }
@@ -87,14 +90,17 @@ pub struct Rendered {
 /// A scene on a device, with shadows.
 #[derive(Debug)]
 pub struct Renderer<'a> {
-    gpu: &'a Gpu,
+    pub(crate) gpu: &'a Gpu,
     scene: &'a Scene,
     buffers: SceneBuffers,
     parts: PartTable,
-    shadows: Shadows,
+    pub(crate) shadows: Shadows,
     casters: CasterPipelines,
     shading: Option<Shading>,
+    pub(crate) asking: Option<Asking>,
     target: Option<Target>,
+    /// Of the frame whose maps there are.
+    pub(crate) seen_from: Option<SeenFrom>,
     timer: PassTimer,
     seconds: f32,
     /// Whether parts that no view needs are left out. Off only to measure what it saves.
@@ -118,7 +124,9 @@ impl<'a> Renderer<'a> {
             shadows,
             casters,
             shading: None,
+            asking: None,
             target: None,
+            seen_from: None,
             timer: PassTimer::new(gpu)?,
             seconds: 0.0,
             cull_parts: true,
@@ -139,6 +147,8 @@ impl<'a> Renderer<'a> {
         self.casters = CasterPipelines::new(self.gpu, &self.buffers, &shadows);
         self.shadows = shadows;
         self.shading = None;
+        self.asking = None;
+        self.seen_from = None;
     }
 
     /// The shadows' side of it: settings in force, sizes, bytes.
@@ -167,13 +177,19 @@ impl<'a> Renderer<'a> {
         let planned = start.elapsed();
 
         self.draw_casters(&plan, &lists, &numbers);
+        self.seen_from = Some(SeenFrom {
+            clip_from_world: frame.camera.clip_from_world(),
+            size: Vec2::new(frame.width as f32, frame.height as f32),
+            lamps: plan.lights().len(),
+        });
         // Without timestamps the stages are timed one after the other.
         let has_timestamps = self.gpu.adapter.timestamps;
         if !has_timestamps {
             self.gpu.wait()?;
         }
         let cast = start.elapsed();
-        let camera_draws = lists.views.last().map_or(&[][..], Vec::as_slice);
+        let seen = lists.views.last().filter(|_| frame.show != Show::Nothing);
+        let camera_draws = seen.map_or(&[][..], Vec::as_slice);
         self.draw_receivers(frame, &numbers, camera_draws)?;
         self.gpu.wait()?;
         let done = start.elapsed();
@@ -198,8 +214,12 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// When the device fails, or nothing was drawn yet.
     pub fn picture(&self) -> Result<Picture, RenderError> {
-        let nothing = || RenderError::Device("no frame was drawn yet".to_owned());
-        self.target.as_ref().ok_or_else(nothing)?.read(self.gpu)
+        self.drawn()?.read(self.gpu)
+    }
+
+    /// What the last frame was drawn into.
+    pub(crate) fn drawn(&self) -> Result<&Target, RenderError> {
+        self.target.as_ref().ok_or_else(nothing_drawn)
     }
 
     /// The shadow maps of the last frame.
@@ -219,13 +239,13 @@ impl<'a> Renderer<'a> {
             self.use_shadows(self.gpu.allocate("the shadow maps", make)?);
         }
         let (encoding, samples) = match frame.show {
-            Show::Visibility(_) => (Encoding::Linear, 1),
+            Show::Visibility(_) | Show::Nothing => (Encoding::Linear, 1),
             Show::Given(_) => (Encoding::Srgb, 1),
             Show::World | Show::Unshadowed | Show::Splits => {
                 (Encoding::Srgb, if frame.samples > 1 { 4 } else { 1 })
             }
         };
-        let Frame { width, height, .. } = *frame;
+        let (width, height) = if frame.show == Show::Nothing { (1, 1) } else { (frame.width, frame.height) };
         let fits =
             |t: &Target| (t.width, t.height, t.encoding, t.samples) == (width, height, encoding, samples);
         if !self.target.as_ref().is_some_and(fits) {
@@ -319,4 +339,8 @@ impl<'a> Renderer<'a> {
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("Renderer::encoder") })
     }
+}
+
+pub(crate) fn nothing_drawn() -> RenderError {
+    RenderError::Device("no frame was drawn yet".to_owned())
 }

@@ -33,6 +33,7 @@ struct SceneUniform {
     lamp_count: u32,
     shown_lamp: u32,
     width: u32,
+    height: u32,
     daylight: f32,
     lamps: [LampUniform; MAX_LIGHTS],
 }
@@ -51,7 +52,7 @@ pub(crate) struct Shading {
     pub encoding: Encoding,
     pub samples: u32,
     uniform: wgpu::Buffer,
-    /// One number a pixel, where visibility is given.
+    /// One number a pixel and lamp, where visibility is given.
     given: wgpu::Buffer,
     layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
@@ -76,7 +77,7 @@ impl Shading {
         });
         let scene_layout = scene_layout(device);
         let uniform = filled(gpu, "scene uniform", &scene_bytes(None)?, wgpu::BufferUsages::UNIFORM)?;
-        let given = given_buffer(gpu, 1);
+        let given = filled(gpu, "given visibility", &[], wgpu::BufferUsages::STORAGE)?;
         let group = scene_group(device, &scene_layout, &uniform, scene, &given);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("Shading::layout"),
@@ -127,10 +128,10 @@ impl Shading {
 
     /// Tells the GPU of a frame.
     pub fn upload(&mut self, gpu: &Gpu, scene: &SceneBuffers, frame: &Frame) -> Result<(), RenderError> {
-        if let Show::Given(bits) = &frame.show {
-            let bytes: &[u8] = bytemuck::cast_slice(bits);
+        if let Show::Given(visibility) = &frame.show {
+            let bytes: &[u8] = bytemuck::cast_slice(visibility);
             if self.given.size() < bytes.len() as u64 {
-                self.given = given_buffer(gpu, bits.len());
+                self.given = filled(gpu, "given visibility", bytes, wgpu::BufferUsages::STORAGE)?;
                 self.group = scene_group(&gpu.device, &self.layout, &self.uniform, scene, &self.given);
             }
             gpu.queue.write_buffer(&self.given, 0, bytes);
@@ -206,15 +207,6 @@ fn scene_group(
     })
 }
 
-fn given_buffer(gpu: &Gpu, pixels: usize) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("Shading::given"),
-        size: 4 * pixels.max(1) as u64,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
 fn uniform_of(frame: &Frame) -> SceneUniform {
     let clip_from_world = frame.camera.clip_from_world();
     let mut lamps = [LampUniform::default(); MAX_LIGHTS];
@@ -229,7 +221,7 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
         asked: match frame.show {
             Show::Unshadowed => NOBODY,
             Show::Given(_) => GIVEN,
-            Show::World | Show::Splits | Show::Visibility(_) => MAPS,
+            Show::World | Show::Splits | Show::Visibility(_) | Show::Nothing => MAPS,
         },
         direction_to_sun: sun.map_or(Vec3::NEG_Y, |sun| sun.light.direction_from(Vec3::ZERO)),
         tint: f32::from(u8::from(frame.show == Show::Splits)),
@@ -237,6 +229,7 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
         lamp_count: frame.lamps.len().min(MAX_LIGHTS) as u32,
         shown_lamp: if let Show::Visibility(lamp) = frame.show { lamp as u32 } else { 0 },
         width: frame.width,
+        height: frame.height,
         daylight: if sun.is_some() { 1.0 } else { NIGHT },
         lamps,
     }

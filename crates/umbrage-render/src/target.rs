@@ -40,7 +40,7 @@ pub(crate) struct Target {
     pub encoding: Encoding,
     pub samples: u32,
     resolved: wgpu::Texture,
-    resolved_view: wgpu::TextureView,
+    pub resolved_view: wgpu::TextureView,
     multisampled: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
 }
@@ -71,7 +71,8 @@ impl Target {
         };
         let none = wgpu::TextureUsages::empty();
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let resolved = texture("Target::resolved", encoding.format(), 1, wgpu::TextureUsages::COPY_SRC);
+        let read = wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::TEXTURE_BINDING;
+        let resolved = texture("Target::resolved", encoding.format(), 1, read);
         let multisampled =
             (samples > 1).then(|| view(&texture("Target::multisampled", encoding.format(), samples, none)));
         let depth = view(&texture("Target::depth", DEPTH_FORMAT, samples, none));
@@ -155,17 +156,10 @@ impl Target {
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         gpu.queue.submit([encoder.finish()]);
-        let failed = |error: &dyn std::fmt::Display| RenderError::Device(error.to_string());
-        let (sender, receiver) = std::sync::mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver lives until the result has come.
-            let _ = sender.send(result);
-        });
-        gpu.wait()?;
-        receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-        let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
-        let rows = mapped.chunks_exact(stride as usize);
-        let rgba = rows.flat_map(|row| &row[..width as usize * 4]).copied().collect();
+        let rgba = gpu.read_mapped(&buffer, |bytes| {
+            let rows = bytes.chunks_exact(stride as usize);
+            rows.flat_map(|row| &row[..width as usize * 4]).copied().collect()
+        })?;
         Ok(Picture { width, height, rgba })
     }
 }

@@ -21,6 +21,16 @@ pub struct FrameTimes {
     pub frame: f64,
 }
 
+impl std::ops::AddAssign for FrameTimes {
+    fn add_assign(&mut self, other: Self) {
+        let Self { plan, casters, shade, frame } = other;
+        self.plan += plan;
+        self.casters += casters;
+        self.shade += shade;
+        self.frame += frame;
+    }
+}
+
 /// What was drawn into one shadow view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ViewLoad {

@@ -175,6 +175,7 @@ fn every_shader_of_the_renderer_is_valid_wgsl() {
         for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
             let settings = Settings { select, filter, ..Settings::default() };
             check(receiver_wgsl(&settings, 1) + include_str!("../shaders/shade.wgsl"));
+            check(receiver_wgsl(&settings, 1) + include_str!("../shaders/ask.wgsl"));
         }
     }
 }

@@ -116,7 +116,7 @@ fn column(
     has_timestamps: bool,
 ) -> Outcome<Column> {
     let settings = (Preset::named(preset).with_context(|| format!("there is a preset {preset}"))?.settings)();
-    let judged = laboratory.judge(shot, &settings, TruthKind::Hard, RUNS)?;
+    let judged = laboratory.judge(shot, &settings, None, TruthKind::Hard, RUNS)?;
     let renderer = laboratory.renderer();
     let smooth = |show| Ok::<_, anyhow::Error>(Frame { samples: 4, ..shot.frame(show)? });
     renderer.render(&smooth(Show::World)?)?;

@@ -8,7 +8,7 @@ use serde::Serialize;
 use umbrage_judge::statistics::Interval;
 use umbrage_judge::{DepthBand, jittered};
 use umbrage_lab::figures::{self, Figure};
-use umbrage_lab::{Judged, Laboratory, Measurement, Motion, Shot, TruthKind, Watch, files};
+use umbrage_lab::{Judged, Laboratory, Measurement, Motion, SUB_PIXELS, Shot, TruthKind, Watch, files};
 use umbrage_render::{Gpu, Picture};
 
 use crate::args::{MeasureArgs, MotionArg, TruthArg};
@@ -17,9 +17,6 @@ use crate::{output, progress, settings, world};
 
 /// Pictures are measured this large where the command line does not say, pixels.
 const SIZE: (u32, u32) = (640, 360);
-
-/// Points a side of each pixel, for sub-pixel truth.
-const SUB_PIXELS: u32 = 8;
 
 /// `umbrage measure --json`.
 #[derive(Serialize)]
@@ -46,7 +43,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let bar = progress::bar(u64::from(args.repeats), "measuring");
-    let mut judged = laboratory.judge(&shot, &settings, kind(args), args.frames)?;
+    let mut judged = laboratory.judge(&shot, &settings, None, kind(args), args.frames)?;
     bar.inc(1);
     if judged.measurement.error.is_none() {
         return Err(
@@ -56,7 +53,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let mut others = Vec::new();
     for repeat in 1..args.repeats {
         let moved = Shot { camera: jittered(&shot.camera, repeat), ..shot.clone() };
-        others.push(laboratory.judge(&moved, &settings, kind(args), 0)?.measurement);
+        others.push(laboratory.judge(&moved, &settings, None, kind(args), 0)?.measurement);
         bar.inc(1);
     }
     if let Some(arg) = args.motion {

@@ -6,7 +6,7 @@ use image::ExtendedColorType;
 use umbrage::{MapTexels, Settings, ShadowView};
 use umbrage_lab::aliasing::{Aliasing, AliasingSummary, heat_map};
 use umbrage_lab::{Laboratory, Shot};
-use umbrage_render::{Frame, Gpu, Renderer, Show};
+use umbrage_render::{Area, Frame, Gpu, RenderError, Renderer, Show};
 use umbrage_scene::Scene;
 
 use crate::args::RenderArgs;
@@ -33,21 +33,47 @@ pub fn run(args: &RenderArgs) -> Outcome {
         write_aliasing(path, &gpu, &scene, &world::shot(&args.world, &scene, world::PICTURE)?, &settings)?;
     }
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
+    let area = args.area_samples.map(|samples| Area { samples, degrees: args.area_degrees });
     if let Some(path) = &args.visibility {
-        renderer.render(&Frame { show: Show::Visibility(0), ..frame.clone() })?;
-        let picture = renderer.picture()?;
-        let grey: Vec<u8> = picture.rgba.iter().step_by(4).copied().collect();
-        output::write_png(path, picture.width, picture.height, &grey, ExtendedColorType::L8)?;
+        let grey = visibility(&mut renderer, &frame, 0, area)?;
+        let bytes: Vec<u8> = grey.into_iter().map(|visibility| (255.0 * visibility).round() as u8).collect();
+        output::write_png(path, frame.width, frame.height, &bytes, ExtendedColorType::L8)?;
     }
-    let rendered = renderer.render(&frame)?;
     if let Some(path) = &args.output {
+        let show = match area {
+            None => frame.show.clone(),
+            Some(area) => Show::Given(soft(&mut renderer, &frame, area)?),
+        };
+        renderer.render(&Frame { show, ..frame.clone() })?;
         let picture = renderer.picture()?;
         output::write_png(path, picture.width, picture.height, &picture.rgba, ExtendedColorType::Rgba8)?;
     }
     if let Some(folder) = &args.maps {
+        let rendered = renderer.render(&Frame { show: Show::Nothing, ..frame })?;
         write_maps(folder, &renderer.maps()?, rendered.plan.views())?;
     }
     Ok(())
+}
+
+/// How much of a lamp's light reaches each pixel, 0 to 1.
+fn visibility(
+    renderer: &mut Renderer<'_>,
+    frame: &Frame,
+    lamp: usize,
+    area: Option<Area>,
+) -> Result<Vec<f32>, RenderError> {
+    if let Some(area) = area {
+        return Ok(renderer.area(frame, lamp, area)?.visibility);
+    }
+    renderer.render(&Frame { show: Show::Visibility(lamp), ..frame.clone() })?;
+    let picture = renderer.picture()?;
+    Ok(picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect())
+}
+
+/// The same of every lamp that has some size, one after the other.
+fn soft(renderer: &mut Renderer<'_>, frame: &Frame, area: Area) -> Result<Vec<f32>, RenderError> {
+    let lamps = (0..frame.lamps.len()).map(|lamp| Ok(renderer.area(frame, lamp, area)?.visibility));
+    Ok(lamps.collect::<Result<Vec<_>, RenderError>>()?.concat())
 }
 
 /// Writes how large texels look, and says it in a few numbers.

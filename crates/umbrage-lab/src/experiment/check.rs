@@ -1,13 +1,17 @@
 //! Whether everything that an experiment names exists, before anything runs.
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use toml::Value;
+use umbrage_render::RenderError;
 
 use super::source::{Source, Step, Step::Item, Step::Key};
 use super::{Claim, Experiment, Plot, Sweep, Way};
 use crate::LabError;
+use crate::cell::{AreaLight, Motion};
 use crate::figures::{self, Figure};
+use crate::flicker::Watch;
 use crate::settings::WrongSettings;
 
 /// The longest side of a picture, pixels: the largest texture that adapters commonly have.
@@ -18,6 +22,13 @@ const MOST_FRAMES: u32 = 100_000;
 
 /// More jittered cameras than any interval needs; a slip of the keyboard should not fill the memory.
 const MOST_REPEATS: u32 = 1_000;
+
+/// A minute of frames at a fair rate, and a point for every pixel of a good screen: a slip of the keyboard should not take
+/// a year.
+const MOST_WATCHED: Watch = Watch { frames: 10_000, points: 2_000_000 };
+
+/// Points of a light, as `umbrage measure` takes them.
+const LIGHT_POINTS: RangeInclusive<u32> = 8..=65_536;
 
 type Checked = Result<(), LabError>;
 
@@ -42,6 +53,9 @@ pub fn check(
         pictures: _,
         enlarged,
         motions,
+        watch,
+        truths,
+        light_points,
         columns,
         plots,
         claims,
@@ -53,7 +67,15 @@ pub fn check(
         check_enlarged(source, world, *part, experiment)?;
     }
     unique(source, &[Key("motions")], motions)?;
+    check_watch(source, *watch)?;
+    unique(source, &[Key("truths")], truths)?;
+    if !LIGHT_POINTS.contains(light_points) {
+        let (least, most) = (LIGHT_POINTS.start(), LIGHT_POINTS.end());
+        let wrong = format!("wanted from {least} to {most} points of each light, got {light_points}");
+        return Err(source.refusal(&[Key("light_points")], wrong));
+    }
     for (i, way) in ways.iter().enumerate() {
+        check_area(source, i, way.area, motions)?;
         check_way(source, i, way, worlds)?;
     }
     for (i, column) in columns.iter().enumerate() {
@@ -151,8 +173,34 @@ fn check_numbers(source: &Source<'_>, size: [u32; 2], repeats: u32, frames: u32)
     Ok(())
 }
 
+/// Two changes make a tremble, so three frames.
+fn check_watch(source: &Source<'_>, Watch { frames, points }: Watch) -> Checked {
+    for (key, got, least, most) in
+        [("frames", frames, 3, MOST_WATCHED.frames), ("points", points, 1, MOST_WATCHED.points)]
+    {
+        if !(least..=most).contains(&got) {
+            let wrong = format!("wanted from {least} to {most} {key}, got {got}");
+            return Err(source.refusal(&[Key("watch"), Key(key)], wrong));
+        }
+    }
+    Ok(())
+}
+
+fn check_area(source: &Source<'_>, i: usize, area: Option<AreaLight>, motions: &[Motion]) -> Checked {
+    let Some(area) = area else { return Ok(()) };
+    let at = [Key("ways"), Item(i), Key("area")];
+    if !motions.is_empty() {
+        let wrong = "an area light is not watched along a path: leave out `area` or `motions`";
+        return Err(source.refusal(&at, wrong));
+    }
+    area.area().map(|_| ()).map_err(|wrong| match wrong {
+        RenderError::AreaSamples { .. } => source.refusal(&[&at[..], &[Key("samples")]].concat(), wrong),
+        wrong => source.refusal(&[&at[..], &[Key("degrees")]].concat(), wrong),
+    })
+}
+
 fn check_way(source: &Source<'_>, i: usize, way: &Way, worlds: &[String]) -> Checked {
-    let Way { name: _, preset: _, set: _, sweep, reported } = way;
+    let Way { name: _, preset: _, set: _, area: _, sweep, reported } = way;
     for world in reported.keys() {
         known(source, &[Key("ways"), Item(i), Key("reported"), Key(world)], "world", world, worlds)?;
     }

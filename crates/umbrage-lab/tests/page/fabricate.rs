@@ -10,7 +10,7 @@ use umbrage_judge::{Causes, Error};
 use umbrage_lab::heat::{Wrongness, heat_map};
 use umbrage_lab::{
     Cell, Claim, Experiment, Machine, Measurement, Milliseconds, Outcome, Pictures, Plot, Row, Sweep,
-    TruthCounts, Way,
+    TruthCounts, Watch, Way,
 };
 
 /// Four ways, one of which sweeps λ.
@@ -19,6 +19,7 @@ pub fn experiment() -> Experiment {
         name: name.to_owned(),
         preset: "default".to_owned(),
         set: toml::Table::new(),
+        area: None,
         sweep: None,
         reported: reported.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect(),
     };
@@ -50,6 +51,9 @@ pub fn experiment() -> Experiment {
         pictures: true,
         enlarged: [("forest".to_owned(), [10, 20, 60, 40])].into(),
         motions: vec![],
+        watch: Watch::default(),
+        truths: vec![],
+        light_points: 256,
         columns: [
             "error.mis_shadowed",
             "error.false_shadow",
@@ -149,6 +153,9 @@ fn row(
             standard_error: 0.0,
         },
         error: Some(error(wrong)),
+        sub_pixel: None,
+        sun: None,
+        wide_sun: None,
         lights: vec![],
         aliasing: Default::default(),
         flip: Some(2.0 * wrong),
@@ -166,10 +173,14 @@ fn row(
         camera: camera.to_owned(),
         repeat,
         settings,
+        area: None,
+        truths: vec![],
+        light_points: experiment.light_points,
         size: experiment.size,
         frames: if first { experiment.frames } else { 0 },
         pictures: first && experiment.pictures,
         motion: None,
+        watch: experiment.watch,
         adapter: MACHINE_ADAPTER.to_owned(),
         program: "5f2c8a01d9".to_owned(),
     };

@@ -161,7 +161,7 @@ fn bar(root: &Area, from: [i32; 2], to: [i32; 2], (dx, dy): (i32, i32), style: S
     Ok(())
 }
 
-/// Labels where there is room; ways that do not sweep come first.
+/// Labels where there is room; ways that do not sweep come first, of them those of the front.
 fn names(chart: &Chart, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2], plane: &Box4) -> Drawn {
     let place_of = |point: &Point| pixel(point.x.value, point.y.value);
     let all = || chart.series.iter().flat_map(Series::points);
@@ -173,7 +173,11 @@ fn names(chart: &Chart, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2], plan
     let mut taken: Vec<Box4> = all().map(|p| Box4::around(place_of(p), CIRCLE_RADIUS as i32)).collect();
     taken.extend(all().flat_map(bars));
     let mut series: Vec<&Series> = chart.series.iter().collect();
-    series.sort_by_key(|series| series.points().len() > 1);
+    let is_on_front = |point: &Point| chart.front.contains(&[point.x.value, point.y.value]);
+    series.sort_by_key(|series| {
+        let points = series.points();
+        (points.len() > 1, !points.iter().any(is_on_front))
+    });
     for point in series.into_iter().flat_map(Series::points).filter(|point| !point.label.is_empty()) {
         if let Some([left, top]) = place(place_of(point), &point.label, TEXT_PX, plane, &mut taken) {
             root.draw(&Text::new(point.label.clone(), (left, top), font()))?;

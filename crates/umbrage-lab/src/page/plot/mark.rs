@@ -5,11 +5,12 @@ const COLOURS: [[u8; 3]; 6] =
     [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [230, 159, 0], [86, 180, 233]];
 
 /// Polygons in a square from −8 to 8; without corners, a circle. Shapes tell ways apart where colours cannot.
-const SHAPES: [&[(i32, i32)]; 4] = [
+const SHAPES: [&[(i32, i32)]; 5] = [
     &[],
     &[(-7, -7), (7, -7), (7, 7), (-7, 7)],
     &[(0, -9), (9, 7), (-9, 7)],
     &[(0, -10), (10, 0), (0, 10), (-10, 0)],
+    &[(0, 9), (9, -7), (-9, -7)],
 ];
 
 /// How large the circle is, in the units of [`SHAPES`].
@@ -25,7 +26,7 @@ pub(super) struct Mark {
 }
 
 impl Mark {
-    /// Of the way with an index. Twelve ways differ; then they come again.
+    /// Of the way with an index. Thirty ways differ; then they come again.
     pub(super) fn of(way: usize) -> Self {
         Self { colour: COLOURS[way % COLOURS.len()], corners: SHAPES[way % SHAPES.len()] }
     }
@@ -48,5 +49,16 @@ impl Mark {
             "<svg class=\"mark\" viewBox=\"-10 -10 20 20\" fill=\"{}\" aria-hidden=\"true\">{shape}</svg>",
             self.css()
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thirty_ways_differ() {
+        let marks: Vec<String> = (0..30).map(|way| Mark::of(way).html()).collect();
+        assert!((0..30).all(|i| !marks[..i].contains(&marks[i])), "{marks:?}");
     }
 }
