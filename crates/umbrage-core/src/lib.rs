@@ -17,6 +17,7 @@ mod beam;
 mod bias;
 mod bounds;
 mod camera;
+mod contact;
 mod convex;
 mod cull;
 mod error;
@@ -41,6 +42,7 @@ pub use aliasing::{
 pub use bias::{BiasMetres, RASTER_STEP_TEXELS, Reference, kernel_half_width_texels, normal_offset_texels};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
+pub use contact::Contact;
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};

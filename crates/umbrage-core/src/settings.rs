@@ -1,6 +1,6 @@
 //! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
 
-use crate::SettingsError;
+use crate::{Contact, SettingsError};
 
 /// The most splits a light can have (Ferko 2010, listing 4.13).
 pub const MAX_SPLITS: usize = 9;
@@ -53,6 +53,9 @@ pub struct Settings {
     pub filter: Filter,
     /// What keeps surfaces from shadowing themselves.
     pub bias: Bias,
+    /// Shadows from the camera's depth, for the last centimetres that a map misses; none where absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub contact: Option<Contact>,
     /// What a shadow does to the picture.
     pub shade: Shade,
 }
@@ -250,6 +253,7 @@ impl Default for Settings {
             select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
             filter: Filter::Bilinear {},
             bias: Bias::default(),
+            contact: None, // needs the camera's depth before shading, which not every renderer has
             shade: Shade::Absence { darkness: 1.0 },
         }
     }
@@ -309,6 +313,7 @@ impl Settings {
             blend,
             filter,
             bias,
+            contact,
             shade,
         } = self;
         let positive = "a positive number of metres";
@@ -348,6 +353,7 @@ impl Settings {
             }
         }
         bias.validate()?;
+        contact.as_ref().map_or(Ok(()), Contact::validate)?;
         let (Shade::Absence { darkness } | Shade::Colour { darkness, .. }) = shade;
         check("shade.darkness", f64::from(*darkness), 0.0, 1.0, "from 0 to 1")?;
         if let Shade::Colour { shadow_colour, .. } = shade {

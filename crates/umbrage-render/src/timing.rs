@@ -12,7 +12,7 @@ pub struct FrameTimes {
     pub plan: f64,
     /// All caster passes.
     pub casters: f64,
-    /// The shading pass.
+    /// The shading pass, and the camera's depth before it where contact shadows need that.
     pub shade: f64,
     /// From the start of planning to the end of shading, by the wall clock.
     pub frame: f64,
@@ -77,7 +77,7 @@ impl PassTimer {
         }
     }
 
-    /// Milliseconds of all passes labelled `CASTERS` and of the one labelled `SHADE`, once the frame is done. `None`
+    /// Milliseconds of all passes labelled `CASTERS` and of those labelled `SHADE`, once the frame is done. `None`
     /// where the device has no timestamps.
     pub fn finish(&mut self, gpu: &Gpu) -> Result<Option<(f64, f64)>, RenderError> {
         let Some(profiler) = &mut self.profiler else { return Ok(None) };

@@ -24,6 +24,7 @@
 
 mod capabilities;
 mod caster_pass;
+mod contact;
 mod error;
 mod gpu_types;
 mod lookup;
@@ -33,6 +34,7 @@ mod wgsl;
 
 pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
+pub use contact::{ContactShadows, contact_wgsl};
 pub use error::ShadowError;
 pub use lookup::{Lookup, view_of};
 pub use maps::MapTexels;
