@@ -16,6 +16,7 @@ const PICTURES: &[(&str, &str, &str)] = &[
     ("tutorial-room", "main", "tutorial-room"),
     ("closed-room", "main", "closed-room"),
     ("night-chessboard", "main", "night-chessboard"),
+    ("bias-court", "main", "bias-court"),
 ];
 
 pub fn draw() -> anyhow::Result<()> {

@@ -13,6 +13,7 @@ const WORLDS: &[&str] = &[
     "orbit",
     "bunny",
     "tutorial-room",
+    "bias-court",
     "closed-room",
     "dragon",
     "brick-ground",

@@ -5,6 +5,7 @@
 //!
 //! This crate does not: know how shadows are made. It parses, calls, and prints.
 
+mod advice;
 mod args;
 mod commands;
 mod failure;

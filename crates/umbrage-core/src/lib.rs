@@ -18,6 +18,7 @@ mod bias;
 mod bounds;
 mod camera;
 mod check;
+mod contact;
 mod convex;
 mod cull;
 mod error;
@@ -45,6 +46,7 @@ pub use aliasing::{
 pub use bias::{BiasMetres, RASTER_STEP_TEXELS, Reference};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
+pub use contact::Contact;
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};

@@ -2,6 +2,7 @@
 
 use crate::SettingsError;
 use crate::check::check;
+use crate::contact::Contact;
 use crate::filter::Filter;
 
 /// The most splits a light can have (Ferko 2010, listing 4.13).
@@ -55,6 +56,9 @@ pub struct Settings {
     pub filter: Filter,
     /// What keeps surfaces from shadowing themselves.
     pub bias: Bias,
+    /// Shadows from the camera's depth, for the last centimetres that a map misses; none where absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub contact: Option<Contact>,
     /// What a shadow does to the picture.
     pub shade: Shade,
 }
@@ -258,6 +262,7 @@ impl Default for Settings {
             select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
             filter: Filter::Bilinear {},
             bias: Bias::default(),
+            contact: None, // needs the camera's depth before shading, which not every renderer has
             shade: Shade::Absence { darkness: 1.0 },
         }
     }
@@ -328,6 +333,7 @@ impl Settings {
             blend,
             filter,
             bias,
+            contact,
             shade,
         } = self;
         let positive = "a positive number of metres";
@@ -363,6 +369,7 @@ impl Settings {
         }
         filter.validate(*resolution)?;
         bias.validate()?;
+        contact.as_ref().map_or(Ok(()), Contact::validate)?;
         let (Shade::Absence { darkness } | Shade::Colour { darkness, .. }) = shade;
         check("shade.darkness", f64::from(*darkness), 0.0, 1.0, "from 0 to 1")?;
         if let Shade::Colour { shadow_colour, .. } = shade {

@@ -1,4 +1,5 @@
-// Receivers: lamps and sky on a base colour. In front of it goes umbrage's receiver text, whose bindings are group 1.
+// Receivers: lamps and sky on a base colour. In front of it go umbrage's receiver text, whose bindings are group 1, and a
+// file of `contact/`.
 
 struct Lamp {
     /// In world space: the unit direction to a sun, and 0; or the place of a lamp, and 1.
@@ -94,7 +95,7 @@ fn visibility_at(lamp: u32, receiver: Receiver, normal: vec3f) -> f32 {
         let pixel = vec2u(receiver.clip.xy);
         return given[(lamp * scene.height + pixel.y) * scene.width + pixel.x];
     }
-    return umbrage_light_visibility(lamp, scene.eye + receiver.from_eye, normal, receiver.clip.xy);
+    return seen_visibility(lamp, scene.eye + receiver.from_eye, normal, receiver.clip.xy);
 }
 
 /// What a lamp adds to a surface with a unit normal where nothing is in its way.

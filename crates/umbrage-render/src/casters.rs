@@ -40,11 +40,12 @@ impl CasterPipelines {
             label: Some("CasterPipelines::module"),
             source: wgpu::ShaderSource::Wgsl((caster_wgsl() + include_str!("../shaders/caster.wgsl")).into()),
         });
+        let groups = [&layout];
         let vertices = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| CasterVertex {
             module: &module,
             entry_point: "caster",
             buffers: &CASTER_BUFFERS,
-            bind_group_layouts: &[&layout],
+            bind_group_layouts: &groups,
             front_face,
         });
         let [plain, mirrored] = &vertices;

@@ -16,6 +16,7 @@ mod casters;
 mod convert;
 mod error;
 mod gpu;
+mod prepass;
 mod renderer;
 mod scene_buffers;
 mod shading;

@@ -325,6 +325,9 @@ impl<'a> Renderer<'a> {
         let mut encoder = self.encoder();
         let (Some(shading), Some(target)) = (&mut self.shading, &self.target) else { return Ok(()) };
         shading.upload(self.gpu, &self.buffers, frame)?;
+        if !frame.shadowed().is_empty() {
+            shading.record_depth(&mut encoder, &self.timer, &self.buffers, numbers, draws);
+        }
         self.timer.pass(SHADE, &mut encoder, |encoder, timestamps| {
             let mut pass = target.begin(encoder, timestamps);
             shading.record(&mut pass, &self.buffers, &self.shadows, numbers, draws);

@@ -65,6 +65,14 @@ impl SceneBuffers {
         Ok(buffers)
     }
 
+    /// Gives a pass the vertices of receivers.
+    pub fn bind_receivers(&self, pass: &mut wgpu::RenderPass<'_>, instance_numbers: &wgpu::Buffer) {
+        pass.set_vertex_buffer(0, self.positions.slice(..));
+        pass.set_vertex_buffer(1, instance_numbers.slice(..));
+        pass.set_vertex_buffer(2, self.attributes.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+    }
+
     /// Writes where every instance stands at time `seconds`.
     pub fn place(&self, gpu: &Gpu, scene: &Scene, seconds: f32) {
         let matrices: Vec<[f32; 16]> = scene

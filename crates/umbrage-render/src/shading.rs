@@ -2,14 +2,16 @@
 
 use encase::{ShaderType, UniformBuffer};
 use glam::{Mat4, Vec3, Vec4};
-use umbrage::{MAX_LIGHTS, Rays, Shadows};
+use umbrage::{ContactShadows, MAX_LIGHTS, Rays, Settings, Shadows, contact_wgsl};
 
 use crate::draws::Draw;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
+use crate::prepass::Prepass;
 use crate::renderer::{Frame, Lamp, Show};
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers, filled};
 use crate::target::{DEPTH_FORMAT, Encoding};
+use crate::timing::{PassTimer, SHADE};
 
 #[derive(Clone, Copy, Debug, Default, ShaderType)]
 struct LampUniform {
@@ -56,6 +58,8 @@ pub(crate) struct Shading {
     given: wgpu::Buffer,
     layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
+    /// Where there are contact shadows.
+    prepass: Option<Prepass>,
     receivers: wgpu::RenderPipeline,
     sky: wgpu::RenderPipeline,
 }
@@ -71,10 +75,9 @@ impl Shading {
         let device = &gpu.device;
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("Shading::module"),
-            source: wgpu::ShaderSource::Wgsl(
-                (shadows.wgsl(1) + include_str!("../shaders/shade.wgsl")).into(),
-            ),
+            source: wgpu::ShaderSource::Wgsl((shadows.wgsl(1) + &shade_wgsl(shadows.settings())).into()),
         });
+        let contact = shadows.settings().contact.map(|_| ContactShadows::new(device));
         let scene_layout = scene_layout(device);
         let uniform = filled(gpu, "scene uniform", &scene_bytes(None)?, wgpu::BufferUsages::UNIFORM)?;
         let given = filled(gpu, "given visibility", &[], wgpu::BufferUsages::STORAGE)?;
@@ -85,6 +88,7 @@ impl Shading {
                 Some(&scene_layout),
                 Some(shadows.bind_group_layout()),
                 Some(&scene.material_layout),
+                contact.as_ref().map(ContactShadows::bind_group_layout),
             ],
             immediate_size: 0,
         });
@@ -123,7 +127,8 @@ impl Shading {
         };
         let receivers = pipeline("receiver", shade, &RECEIVER_BUFFERS, wgpu::CompareFunction::Greater);
         let sky = pipeline("sky", sky_shade, &[], wgpu::CompareFunction::GreaterEqual);
-        Ok(Self { encoding, samples, uniform, given, layout: scene_layout, group, receivers, sky })
+        let prepass = contact.map(|contact| Prepass::new(gpu, contact, &module, &scene_layout));
+        Ok(Self { encoding, samples, uniform, given, layout: scene_layout, group, prepass, receivers, sky })
     }
 
     /// Tells the GPU of a frame.
@@ -137,7 +142,26 @@ impl Shading {
             gpu.queue.write_buffer(&self.given, 0, bytes);
         }
         gpu.queue.write_buffer(&self.uniform, 0, &scene_bytes(Some(uniform_of(frame)))?);
+        if let Some(prepass) = &mut self.prepass {
+            prepass.prepare(gpu, [frame.width, frame.height], &frame.camera);
+        }
         Ok(())
+    }
+
+    /// Draws the depth that contact shadows look into, where there are any.
+    pub fn record_depth(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &PassTimer,
+        scene: &SceneBuffers,
+        instance_numbers: &wgpu::Buffer,
+        draws: &[Draw],
+    ) {
+        if let Some(prepass) = &self.prepass {
+            timer.pass(SHADE, encoder, |encoder, timestamps| {
+                prepass.record(encoder, timestamps, &self.group, scene, instance_numbers, draws);
+            });
+        }
     }
 
     /// Draws receivers and sky into a pass.
@@ -152,10 +176,10 @@ impl Shading {
         pass.set_bind_group(0, &self.group, &[]);
         pass.set_bind_group(1, shadows.bind_group(), &[]);
         pass.set_pipeline(&self.receivers);
-        pass.set_vertex_buffer(0, scene.positions.slice(..));
-        pass.set_vertex_buffer(1, instance_numbers.slice(..));
-        pass.set_vertex_buffer(2, scene.attributes.slice(..));
-        pass.set_index_buffer(scene.indices.slice(..), wgpu::IndexFormat::Uint32);
+        if let Some(group) = self.prepass.as_ref().and_then(Prepass::group) {
+            pass.set_bind_group(3, group, &[]);
+        }
+        scene.bind_receivers(pass, instance_numbers);
         let mut bound = None;
         for draw in draws {
             if bound != Some(draw.material) {
@@ -170,6 +194,15 @@ impl Shading {
             pass.draw(0..3, 0..1);
         }
     }
+}
+
+/// The text that goes behind the maps' own.
+fn shade_wgsl(settings: &Settings) -> String {
+    let visibility = match &settings.contact {
+        None => include_str!("../shaders/contact/maps.wgsl").to_owned(),
+        Some(contact) => contact_wgsl(contact, 3) + include_str!("../shaders/contact/both.wgsl"),
+    };
+    visibility + include_str!("../shaders/shade.wgsl")
 }
 
 fn scene_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {

@@ -15,7 +15,7 @@ pub struct FrameTimes {
     /// What makes of the maps what lookups read: moments, blurs, sums. 0 for filters that read depths; without timestamps
     /// part of `casters`.
     pub filter: f64,
-    /// The shading pass.
+    /// The shading pass, and the camera's depth before it where contact shadows need that.
     pub shade: f64,
     /// From the start of planning to the end of shading, by the wall clock.
     pub frame: f64,
@@ -23,9 +23,10 @@ pub struct FrameTimes {
 
 impl std::ops::AddAssign for FrameTimes {
     fn add_assign(&mut self, other: Self) {
-        let Self { plan, casters, shade, frame } = other;
+        let Self { plan, casters, filter, shade, frame } = other;
         self.plan += plan;
         self.casters += casters;
+        self.filter += filter;
         self.shade += shade;
         self.frame += frame;
     }

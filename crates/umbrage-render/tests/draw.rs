@@ -162,7 +162,7 @@ fn pictures_show_shadow_sky_and_splits_where_they_should() {
 
 #[test]
 fn every_shader_of_the_renderer_is_valid_wgsl() {
-    use umbrage_render::umbrage::{caster_wgsl, receiver_wgsl};
+    use umbrage_render::umbrage::{Capabilities, Contact, caster_wgsl, contact_wgsl, receiver_wgsl};
     let check = |text: String| {
         let module =
             naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
@@ -174,8 +174,12 @@ fn every_shader_of_the_renderer_is_valid_wgsl() {
     for select in [Select::Depth, Select::ClipDepth, Select::Map] {
         for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
             let settings = Settings { select, filter, ..Settings::default() };
-            check(receiver_wgsl(&settings, 1) + include_str!("../shaders/shade.wgsl"));
-            check(receiver_wgsl(&settings, 1) + include_str!("../shaders/ask.wgsl"));
+            let shadows = receiver_wgsl(&settings, Capabilities::ALL, 1);
+            let shade = include_str!("../shaders/shade.wgsl");
+            check(shadows.clone() + include_str!("../shaders/contact/maps.wgsl") + shade);
+            check(shadows.clone() + include_str!("../shaders/ask.wgsl"));
+            let contact = contact_wgsl(&Contact::default(), 3) + include_str!("../shaders/contact/both.wgsl");
+            check(shadows + &contact + shade);
         }
     }
 }

@@ -3,6 +3,8 @@
 //! Large meshes are what makes every cascade draw everything, so a mesh is cut on import into parts of at most
 //! [`Part::MAX_TRIANGLES`] triangles with tight boxes. The unit that is culled and drawn is (instance, part).
 
+mod closed;
+
 use std::ops::Range;
 
 use glam::{Vec2, Vec3};

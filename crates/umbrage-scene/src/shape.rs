@@ -1,11 +1,11 @@
-//! A small modelling kit: closed solids made of shared corners and triangles.
+//! A small modelling kit: closed solids, made of shared corners and triangles.
 //!
 //! A [`Solid`] has no normals and no colour. It is moved, turned and joined with others; a [`Model`] paints solids, and
 //! only then gets normals (smooth where neighbouring faces meet at less than [`CREASE`]) and texture coordinates
 //! (metres, along the axis that the normal is nearest to).
 //!
 //! Solids are closed and their triangles counter-clockwise seen from outside, so that front faces and back faces
-//! cast the same shadow.
+//! cast the same shadow. Only a [`sheet`] is open.
 
 mod flat;
 mod ground;
@@ -18,7 +18,7 @@ mod tests;
 
 use glam::{Affine3A, Quat, Vec2, Vec3};
 
-pub(crate) use flat::{bevelled, bevelled_prism, cuboid, icosphere, pyramid};
+pub(crate) use flat::{bevelled, bevelled_prism, cuboid, icosphere, pyramid, sheet};
 pub(crate) use ground::{Ground, plane};
 pub(crate) use model::Model;
 pub(crate) use round::{cone, curve, cylinder, frustum, lathe, limb, sphere, torus};
@@ -29,7 +29,7 @@ use crate::Primitive;
 /// Faces that meet at a sharper angle than this keep their edge, radians.
 const CREASE: f32 = 0.7;
 
-/// A closed surface.
+/// A closed surface, or a [`sheet`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solid {
     /// Corners, metres.

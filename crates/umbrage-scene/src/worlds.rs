@@ -8,6 +8,7 @@
 //! same eye: candela / distance² is 1 to 3 lux at the places that matter, where a renderer that shows a surface facing
 //! the sun at 2.6 shows candela / distance² as it is.
 
+mod bias_court;
 mod brick_ground;
 mod closed_room;
 mod huge_chessboard;
@@ -81,6 +82,12 @@ pub const ALL: &[World] = &[
         source: "opengl-tutorial.org, Tutorial 16",
         summary: "a room with thick walls and a window, under one spot light of 45°",
         build: tutorial_room::build,
+    },
+    World {
+        name: "bias-court",
+        source: "made for judging biases",
+        summary: "planes at 0° to 85° to the sun, walls of 1 to 100 mm, stairs, a ball and open sheets in a court",
+        build: bias_court::build,
     },
     World {
         name: "closed-room",

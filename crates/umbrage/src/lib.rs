@@ -25,6 +25,7 @@
 mod capabilities;
 mod caster_pass;
 mod compute;
+mod contact;
 mod error;
 mod gpu_types;
 mod layers;
@@ -38,6 +39,7 @@ mod wgsl;
 
 pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
+pub use contact::{ContactShadows, contact_wgsl};
 pub use error::ShadowError;
 pub use lookup::{Lookup, Place, view_of};
 pub use maps::MapTexels;

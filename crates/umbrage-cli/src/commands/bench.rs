@@ -9,7 +9,7 @@ use umbrage_scene::Scene;
 
 use crate::args::BenchArgs;
 use crate::failure::Outcome;
-use crate::{output, progress, settings, world};
+use crate::{advice, output, progress, settings, world};
 
 /// Length of a world's path in time, for things that move, seconds.
 const PATH_SECONDS: f32 = 10.0;
@@ -56,6 +56,7 @@ struct View {
 pub fn run(args: &BenchArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::load(&args.world.world, args.world.seed)?;
+    advice::warn_of_open_casters(&scene, &settings);
     let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;

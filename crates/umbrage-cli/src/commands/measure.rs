@@ -13,7 +13,7 @@ use umbrage_render::{Gpu, Picture};
 
 use crate::args::{MeasureArgs, MotionArg, TruthArg};
 use crate::failure::Outcome;
-use crate::{output, progress, settings, world};
+use crate::{advice, output, progress, settings, world};
 
 /// Pictures are measured this large where the command line does not say, pixels.
 const SIZE: (u32, u32) = (640, 360);
@@ -39,6 +39,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     check_outputs(args)?;
     let scene = world::load(&args.world.world, args.world.seed)?;
+    advice::warn_of_open_casters(&scene, &settings);
     let shot = world::shot(&args.world, &scene, SIZE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;

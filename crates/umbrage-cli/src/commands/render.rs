@@ -11,7 +11,7 @@ use umbrage_scene::Scene;
 
 use crate::args::RenderArgs;
 use crate::failure::{Failure, Outcome};
-use crate::{output, settings, world};
+use crate::{advice, output, settings, world};
 
 pub fn run(args: &RenderArgs) -> Outcome {
     let pictures = [&args.output, &args.visibility, &args.maps, &args.aliasing];
@@ -22,6 +22,7 @@ pub fn run(args: &RenderArgs) -> Outcome {
     }
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::load(&args.world.world, args.world.seed)?;
+    advice::warn_of_open_casters(&scene, &settings);
     let show = match (args.no_shadows, args.splits) {
         (true, _) => Show::Unshadowed,
         (false, true) => Show::Splits,

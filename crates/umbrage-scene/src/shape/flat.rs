@@ -1,4 +1,4 @@
-//! Solids with flat faces: boxes, prisms, pyramids; and the icosphere, whose many faces make rocks.
+//! Solids with flat faces: boxes, prisms, pyramids; the icosphere, whose many faces make rocks; and the open sheet.
 
 use std::collections::HashMap;
 
@@ -39,6 +39,22 @@ pub(crate) fn pyramid(width: f32, height: f32) -> Solid {
     let points = [[-w, -w], [-w, w], [w, w], [w, -w]].map(|[x, z]| Vec3::new(x, 0.0, z));
     let mut solid = Solid { points: points.to_vec(), triangles: vec![[0, 2, 1], [0, 3, 2]] };
     solid.cap(0, 4, Vec3::Y * height, true);
+    solid
+}
+
+/// A level rectangle about the origin that looks up, of `pieces` strips along x; its middle bulges upwards by `bulge`. It
+/// has no thickness: it is open, and both of its sides are one surface.
+pub(crate) fn sheet(x: f32, z: f32, pieces: u32, bulge: f32) -> Solid {
+    let mut solid = Solid::default();
+    for i in 0..=pieces {
+        let share = i as f32 / pieces as f32 - 0.5;
+        let height = bulge * (1.0 - 4.0 * share * share);
+        solid.points.extend([-0.5, 0.5].map(|side| Vec3::new(share * x, height, side * z)));
+        if i > 0 {
+            let [a, b, c, d] = [2 * i - 2, 2 * i - 1, 2 * i, 2 * i + 1];
+            solid.triangles.extend([[a, b, c], [c, b, d]]);
+        }
+    }
     solid
 }
 

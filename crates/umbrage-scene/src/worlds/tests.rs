@@ -8,12 +8,13 @@ use crate::{Lens, Light, LightKind};
 /// What a world is to be: name, triangles, area in km², casters, moving ones, and near and far of the main camera.
 type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
 
-const TABLE: [Row; 12] = [
+const TABLE: [Row; 13] = [
     ("primitives", 1_300, 0.0016, 17, 0, [1.0, 80.0]),
     // The lamp flies with the light.
     ("orbit", 1_300, 0.0016, 8, 1, [1.0, 80.0]),
     ("bunny", 3_676, 0.0009, 1, 0, [0.5, 100.0]),
     ("tutorial-room", 4_714, 0.0016, 8, 0, [0.5, 100.0]),
+    ("bias-court", 21_848, 0.001024, 17, 0, [0.2, 100.0]),
     ("closed-room", 22_352, 12.6e-3 * 9.6e-3, 23, 0, [0.1, 30.0]),
     ("dragon", 47_796, 0.0009, 1, 0, [0.5, 100.0]),
     ("brick-ground", 60_000, 0.04, 64, 6, [0.5, 200.0]),
@@ -109,7 +110,7 @@ fn shines_along(light: &Light, place: Vec3) -> Option<Vec3> {
 
 fn assert_seen_well(scene: &Scene) {
     let names: Vec<&str> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
-    assert_eq!(names, ["main", "far", "close", "split", "dueling"], "cameras of {}", scene.name);
+    assert_eq!(names[..5], ["main", "far", "close", "split", "dueling"], "cameras of {}", scene.name);
     let duel = &scene.cameras[4];
     let light = shines_along(&scene.lights[0], duel.eye());
     let against = light.map_or(1.0, |along| duel.forward().dot(along));

@@ -101,7 +101,9 @@ fn moments() -> Vec<(Filter, f32)> {
         (Filter::Esm(Exponential { prefilter: blurred, ..Exponential::default() }), 1e-4),
         (Filter::Evsm2(evsm), 1e-4),
         (Filter::Evsm4(evsm), 1e-4),
-        (Filter::Msm(msm), 1e-4),
+        // Four moments are told apart by a bias of 3e-7, a few roundings of a sum in 32 bits. Given the same moments, the two
+        // roads agree within 1e-4: `moments.rs`.
+        (Filter::Msm(msm), 0.02),
         // 16 bits round what is stored: 11 of a float, and 65,535 steps of a whole number.
         (Filter::Evsm2(half), 0.05),
         (Filter::Evsm4(half), 0.05),

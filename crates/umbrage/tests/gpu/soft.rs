@@ -100,10 +100,14 @@ fn expected(height: f32, degrees: f32) -> f64 {
 
 #[test]
 fn penumbrae_grow_with_the_height_of_the_blocker_and_the_size_of_the_sun() {
-    for (height, degrees) in [(1.0, 5.0), (2.0, 5.0), (4.0, 5.0), (6.0, 2.0), (4.0, 10.0)] {
+    // The widest is 350 texels of the finest maps, which is more than a filter may reach.
+    for (height, degrees, resolution) in
+        [(1.0, 5.0, 2048), (2.0, 5.0, 2048), (4.0, 5.0, 2048), (6.0, 2.0, 2048), (4.0, 10.0, 1024)]
+    {
         let radius = expected(height, degrees);
         let reach = 2.5 * radius as f32;
-        let got = measured(&soft(Filter::Pcss(pcss(degrees))), sun(), (height, 0.0), reach, 0.0, 2.0);
+        let settings = Settings { resolution, ..soft(Filter::Pcss(pcss(degrees))) };
+        let got = measured(&settings, sun(), (height, 0.0), reach, 0.0, 2.0);
         println!("{height} m under {degrees}°: {got:.4} m, and {radius:.4} m in the world");
         assert!((got / radius - 1.0).abs() < 0.05, "{height} m under {degrees}°: {got}, not {radius}");
     }
@@ -142,7 +146,8 @@ fn penumbrae_are_the_same_along_both_sides_of_long_texels() {
         for (fit, warp) in [(Fit::Scene, Warp::None), (Fit::View, Warp::Lispsm)] {
             let settings = Settings { fit, warp, ..soft(Filter::Pcss(pcss(6.0))) };
             let world = plate(2.0, turn);
-            let bounds = Bounds::of_world(Vec3::new(-9.0, 0.0, -9.0), Vec3::new(9.0, 2.0, 9.0));
+            // Only a strip of it is said to be there.
+            let bounds = Bounds::of_world(Vec3::new(-9.0, 0.0, -0.6), Vec3::new(9.0, 2.0, 0.6));
             let projection = Projection::Perspective { fov_y: 0.35, aspect: 4.0 };
             let eye = Vec3::new(0.0, 3.0, 4.0);
             let camera = Camera::looking(eye, Vec3::ZERO, Vec3::Y, projection, 0.5, 40.0).expect("a camera");
