@@ -199,7 +199,7 @@ fn cameras(stage: &mut Stage) {
     stage.look_far(v(-9.0, 27.0, 27.0), v(0.0, 0.0, 2.0));
     stage.look("close", v(-2.6, 1.3, 13.4), v(-0.6, 0.1, 9.3));
     stage.look("split", v(-14.5, 1.7, 14.0), v(4.0, 0.6, -2.0));
-    stage.look_into_light(v(6.0, 1.2, -3.0), 13.0);
+    stage.look_into_light(v(-5.0, 0.9, 0.6), 11.0);
     stage.look("planes", v(-18.0, 7.5, 4.0), v(-8.5, 0.9, -2.6));
     stage.look("walls", v(3.6, 3.2, 13.0), v(-0.4, 0.1, 6.2));
     stage.look("stairs", v(-4.6, 3.9, -1.6), v(0.3, 0.6, -8.2));
