@@ -71,6 +71,7 @@ pub const ALL: &[Figure] = &[
     figure("bytes", "memory", Format::Bytes),
     figure("milliseconds.plan.median", "plan", Format::Milliseconds),
     figure("milliseconds.casters.median", "casters", Format::Milliseconds),
+    figure("milliseconds.filter.median", "filter", Format::Milliseconds),
     figure("milliseconds.shade.median", "shading", Format::Milliseconds),
     figure("milliseconds.frame.median", "frame time", Format::Milliseconds),
     figure("flicker.flips", "flips", Format::Count),
@@ -102,10 +103,11 @@ impl Figure {
 
     /// The spread over all timed frames, of a figure that is timed; `None` of others, and where nothing was timed.
     pub fn spread_of(&self, measurement: &Measurement) -> Option<Spread> {
-        let Milliseconds { plan, casters, shade, frame } = measurement.milliseconds?;
+        let Milliseconds { plan, casters, filter, shade, frame } = measurement.milliseconds?;
         match self.key {
             "milliseconds.plan.median" => Some(plan),
             "milliseconds.casters.median" => Some(casters),
+            "milliseconds.filter.median" => Some(filter),
             "milliseconds.shade.median" => Some(shade),
             "milliseconds.frame.median" => Some(frame),
             _ => None,

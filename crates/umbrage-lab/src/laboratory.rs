@@ -155,7 +155,7 @@ impl<'a> Laboratory<'a> {
             adapter: self.gpu.adapter.to_string(),
             settings: settings.clone(),
             texels: layout.texels(),
-            bytes: layout.bytes(),
+            bytes: self.renderer.shadows().bytes(),
             truth: pooled(&judgements),
             error,
             sub_pixel: None,
@@ -170,7 +170,7 @@ impl<'a> Laboratory<'a> {
                 .map(|judgement| judgement.around_cuts.clone())
                 .unwrap_or_default(),
             milliseconds: (!times.is_empty()).then(|| Milliseconds::of(&times)),
-            every_frame: times.iter().map(|t| [t.plan, t.casters, t.shade, t.frame]).collect(),
+            every_frame: times.iter().map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter]).collect(),
             flicker: None,
         };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &wrongness(&traced, &visibility)), ..shaded };
@@ -300,6 +300,7 @@ impl Milliseconds {
         Self {
             plan: of(|t| t.plan),
             casters: of(|t| t.casters),
+            filter: of(|t| t.filter),
             shade: of(|t| t.shade),
             frame: of(|t| t.frame),
         }

@@ -28,7 +28,7 @@ pub struct Measurement {
     pub settings: Settings,
     /// Texels of all shadow maps.
     pub texels: u64,
-    /// Bytes of all shadow maps.
+    /// Bytes of all shadow maps, and of what is made of them to be read.
     pub bytes: u64,
     /// What the truth says.
     pub truth: TruthCounts,
@@ -52,8 +52,8 @@ pub struct Measurement {
     pub around_cuts: Vec<[DepthBand; 2]>,
     /// Stage times; absent where nothing was timed.
     pub milliseconds: Option<Milliseconds>,
-    /// Every timed frame, in order: plan, casters, shade, frame.
-    pub every_frame: Vec<[f64; 4]>,
+    /// Every timed frame, in order: plan, casters, shade, frame, filter.
+    pub every_frame: Vec<[f64; 5]>,
     /// How unsteady shadows are along a path; absent for a single picture.
     pub flicker: Option<Flicker>,
 }
@@ -104,6 +104,9 @@ pub struct Milliseconds {
     pub plan: Spread,
     /// All caster passes.
     pub casters: Spread,
+    /// What makes of the maps what lookups read: moments, blurs, sums.
+    #[serde(default)]
+    pub filter: Spread,
     /// The shading pass.
     pub shade: Spread,
     /// The whole frame, by the wall clock.

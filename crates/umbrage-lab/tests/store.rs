@@ -93,8 +93,14 @@ fn outcome(cell: &Cell) -> Outcome {
         flip: Some(0.07),
         splits: vec![band.clone(), band.clone()],
         around_cuts: vec![[band.clone(), band]],
-        milliseconds: Some(Milliseconds { plan: spread, casters: spread, shade: spread, frame: spread }),
-        every_frame: frames.chunks_exact(4).map(|f| [f[0], f[1], f[2], f[3]]).collect(),
+        milliseconds: Some(Milliseconds {
+            plan: spread,
+            casters: spread,
+            filter: spread,
+            shade: spread,
+            frame: spread,
+        }),
+        every_frame: frames.chunks_exact(5).map(|f| [f[0], f[1], f[2], f[3], f[4]]).collect(),
         flicker: Some(Flicker { points: 3, shimmer: 0.123_456_789_012_345_68, ..Flicker::default() }),
     };
     let machine = Machine {
@@ -132,7 +138,7 @@ fn a_result_reads_back_bit_for_bit() {
     let (_folder, store) = store_of(&[]);
     let mut written = outcome(&cell(0));
     written.measurement.every_frame =
-        numbers(4_000).chunks_exact(4).map(|f| [f[0], f[1], f[2], f[3]]).collect();
+        numbers(5_000).chunks_exact(5).map(|f| [f[0], f[1], f[2], f[3], f[4]]).collect();
     store.put(&cell(0), &written).unwrap();
     let read = store.get(&cell(0)).unwrap();
     assert_eq!(read, written);

@@ -233,7 +233,8 @@ impl<'a> Renderer<'a> {
     /// Maps, pipelines and textures that fit the frame.
     fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
         let lights = frame.shadowed();
-        if !self.shadows.has_room_for(&lights)? {
+        // Not only enough room: what a frame's maps cost should not depend on the frames before.
+        if !lights.is_empty() && !self.shadows.is_as_large_as(&lights)? {
             let settings = self.shadows.settings().clone();
             let make = || Shadows::for_lights(&self.gpu.device, settings, &lights);
             self.use_shadows(self.gpu.allocate("the shadow maps", make)?);

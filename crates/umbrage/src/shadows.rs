@@ -170,6 +170,15 @@ impl Shadows {
         Ok(views <= self.views && self.maps.layout.holds(&MapLayout::of_lights(&self.settings, lights)?))
     }
 
+    /// Whether there is room for just these lights: no texel more, and none less.
+    ///
+    /// # Errors
+    /// When a light's resolution is out of range.
+    pub fn is_as_large_as(&self, lights: &[Light]) -> Result<bool, PlanError> {
+        let wanted = MapLayout::of_lights(&self.settings, lights)?;
+        Ok(self.has_room_for(lights)? && self.maps.layout == wanted)
+    }
+
     /// Says how large the camera's picture is, pixels: what filters that keep moments in several sizes choose among them by.
     /// 1920 × 1080 until then.
     pub fn set_picture_size(&mut self, width: u32, height: u32) {

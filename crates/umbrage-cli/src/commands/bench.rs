@@ -35,8 +35,8 @@ struct Report<'a> {
     baselines: Option<Baselines>,
     /// Of the last frame.
     views: Vec<View>,
-    /// Every timed frame, in order: plan, casters, shade, frame.
-    every_frame: Vec<[f64; 4]>,
+    /// Every timed frame, in order: plan, casters, shade, frame, filter.
+    every_frame: Vec<[f64; 5]>,
 }
 
 #[derive(Serialize)]
@@ -95,7 +95,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
         timestamps: gpu.adapter.timestamps,
         settings: renderer.shadows().settings(),
         texels: layout.texels(),
-        bytes: layout.bytes(),
+        bytes: renderer.shadows().bytes(),
         frames: samples.len(),
         milliseconds: Milliseconds::of(&samples),
         baselines: args.baselines.then(|| Baselines {
@@ -103,7 +103,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
             no_culling: Milliseconds::of(&no_culling),
         }),
         views: loads.into_iter().map(view).collect(),
-        every_frame: samples.iter().map(|t| [t.plan, t.casters, t.shade, t.frame]).collect(),
+        every_frame: samples.iter().map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter]).collect(),
     };
     match &args.json {
         Some(path) => output::write_json(path, &report)?,
@@ -155,10 +155,13 @@ fn text(report: &Report<'_>) -> String {
 }
 
 fn table(milliseconds: &Milliseconds) -> String {
-    let Milliseconds { plan, casters, shade, frame } = milliseconds;
+    let Milliseconds { plan, casters, filter, shade, frame } = milliseconds;
     let row = |(name, spread): (&str, &Spread)| {
         let Spread { median, p5, p95 } = spread;
         format!("  {name:<8} {median:9.3} ms  ({p5:.3} to {p95:.3})\n")
     };
-    [("plan", plan), ("casters", casters), ("shade", shade), ("frame", frame)].into_iter().map(row).collect()
+    [("plan", plan), ("casters", casters), ("filter", filter), ("shade", shade), ("frame", frame)]
+        .into_iter()
+        .map(row)
+        .collect()
 }

@@ -228,6 +228,7 @@ fn milliseconds(frame: f64) -> Milliseconds {
     Milliseconds {
         plan: spread(0.05),
         casters: spread(0.5 * frame),
+        filter: spread(0.0),
         shade: spread(0.4 * frame),
         frame: spread(frame),
     }

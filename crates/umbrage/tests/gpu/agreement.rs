@@ -1,8 +1,10 @@
 //! What may change without changing the picture: storage, selection, backend, and a stable camera's motion.
 
-use crate::common::{Drawn, Query, camera, device, draw, queries, world};
+use crate::common::{Drawn, Query, camera, device, draw, hits, queries, world};
 use glam::Vec3;
-use umbrage::{Filter, Fit, MapTexels, Select, Settings, Storage};
+use umbrage::{
+    ExponentialVariance, Filter, Fit, MapTexels, Select, Settings, Storage, SummedVariance, Variance,
+};
 
 const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
 
@@ -68,17 +70,34 @@ fn demand_agreement(
 fn array_and_atlas_give_the_same_visibility_everywhere() {
     let (world, camera) = (world(), eye());
     let queries = queries(&world, &camera, 300);
-    for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
+    let filters = [
+        Filter::Hard {},
+        Filter::Bilinear {},
+        Filter::Pcf { size: 5 },
+        // A blur or a sum that went over the side of a tile would bring in a neighbour.
+        Filter::Vsm(Variance { least_deviation: 0.1, ..Variance::default() }),
+        Filter::Evsm4(ExponentialVariance::default()),
+        Filter::Savsm(SummedVariance { least_deviation: 0.1, ..SummedVariance::default() }),
+    ];
+    for filter in filters {
         let answers = [Storage::Array, Storage::Atlas].map(|storage| {
             let settings = Settings { storage, filter, ..settings() };
             draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world).visibility(&queries)
         });
-        // A tile that does not start at 0 rounds positions differently: the sampler's weights may differ by that, and
-        // now and then a texel on an edge of the map.
-        let differ =
-            answers[0].iter().zip(&answers[1]).filter(|(a, b)| (**a - **b).abs() > 1.0 / 256.0).count();
+        let differ_by = |least: f32| {
+            answers[0].iter().zip(&answers[1]).filter(|(a, b)| (**a - **b).abs() > least).count()
+        };
+        let differ = differ_by(1.0 / 256.0);
         println!("{filter:?}: {differ} of {} differ between array and atlas", queries.len());
-        assert!(differ * 10_000 <= queries.len(), "{filter:?}: {differ} of {} differ", queries.len());
+        // A tile that does not start at 0 rounds positions differently: the sampler's weights may differ by that, and
+        // now and then a texel on an edge of the map. Moments make more of such rounding.
+        let in_thousands = if filter.moments(1.0).is_some() { 1 } else { 10 };
+        assert!(
+            differ * in_thousands * 1000 <= queries.len(),
+            "{filter:?}: {differ} of {} differ",
+            queries.len()
+        );
+        assert!(differ_by(0.25) * 10_000 <= queries.len(), "{filter:?}: a neighbouring tile shows");
     }
 }
 
@@ -145,21 +164,6 @@ fn shadows_are_there_at_all() {
     }
     println!("{wrong} of {} differ from a ray", queries.len());
     assert!(wrong * 50 < queries.len(), "{wrong} of {} differ from a ray", queries.len());
-}
-
-/// Whether a ray meets a triangle (Möller and Trumbore 1997).
-fn hits(origin: Vec3, direction: Vec3, [a, b, c]: &[Vec3; 3]) -> bool {
-    let (ab, ac) = (*b - *a, *c - *a);
-    let p = direction.cross(ac);
-    let determinant = ab.dot(p);
-    if determinant.abs() < 1e-9 {
-        return false;
-    }
-    let t = origin - *a;
-    let u = t.dot(p) / determinant;
-    let q = t.cross(ab);
-    let v = direction.dot(q) / determinant;
-    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ac.dot(q) / determinant > 0.0
 }
 
 #[test]

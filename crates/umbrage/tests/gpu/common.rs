@@ -9,6 +9,11 @@ use umbrage::{
 
 /// A device on the software or hardware adapter of one backend. No adapter is a failure, with the remedy.
 pub fn device(backend: wgpu::Backends) -> (wgpu::Device, wgpu::Queue) {
+    device_without(backend, wgpu::Features::empty())
+}
+
+/// The same without some of the features that shadows want.
+pub fn device_without(backend: wgpu::Backends, missing: wgpu::Features) -> (wgpu::Device, wgpu::Queue) {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends: backend,
         ..wgpu::InstanceDescriptor::new_without_display_handle()
@@ -16,7 +21,7 @@ pub fn device(backend: wgpu::Backends) -> (wgpu::Device, wgpu::Queue) {
     let adapters = pollster::block_on(instance.enumerate_adapters(backend));
     let adapter = adapters.first().unwrap_or_else(|| panic!("no {backend:?} adapter: run scripts/setup"));
     pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-        required_features: Capabilities::wanted_features(adapter),
+        required_features: Capabilities::wanted_features(adapter) - missing,
         required_limits: adapter.limits(),
         ..Default::default()
     }))
@@ -316,4 +321,19 @@ impl Drawn {
         let mapped = back.get_mapped_range(..).expect("mapped");
         bytemuck::cast_slice(&mapped).to_vec()
     }
+}
+
+/// Whether a ray meets a triangle (Möller and Trumbore 1997).
+pub fn hits(origin: Vec3, direction: Vec3, [a, b, c]: &[Vec3; 3]) -> bool {
+    let (ab, ac) = (*b - *a, *c - *a);
+    let p = direction.cross(ac);
+    let determinant = ab.dot(p);
+    if determinant.abs() < 1e-9 {
+        return false;
+    }
+    let t = origin - *a;
+    let u = t.dot(p) / determinant;
+    let q = t.cross(ab);
+    let v = direction.dot(q) / determinant;
+    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ac.dot(q) / determinant > 0.0
 }

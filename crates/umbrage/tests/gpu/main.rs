@@ -4,6 +4,7 @@ mod agreement;
 mod common;
 mod filters;
 mod lamps;
+mod layers;
 mod lookup;
 mod moments;
 mod plane;

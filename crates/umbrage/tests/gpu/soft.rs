@@ -142,8 +142,9 @@ fn penumbrae_are_the_same_in_every_split_and_at_every_resolution() {
 fn penumbrae_are_the_same_along_both_sides_of_long_texels() {
     // A world that is seen much wider than it is deep: texels are long, as with two splits in an atlas of other engines.
     let radius = expected(2.0, 6.0);
+    let mut long = 0;
     for turn in [0.0, std::f32::consts::FRAC_PI_2] {
-        for (fit, warp) in [(Fit::Scene, Warp::None), (Fit::View, Warp::Lispsm)] {
+        for (fit, warp) in [(Fit::Scene, Warp::None), (Fit::View, Warp::None), (Fit::View, Warp::Lispsm)] {
             let settings = Settings { fit, warp, ..soft(Filter::Pcss(pcss(6.0))) };
             let world = plate(2.0, turn);
             // Only a strip of it is said to be there.
@@ -160,13 +161,14 @@ fn penumbrae_are_the_same_along_both_sides_of_long_texels() {
             println!(
                 "turned by {turn:.2}, {fit:?} {warp:?}, texels {ratio:.2} : 1: {got:.4} m of {radius:.4} m"
             );
-            assert!(!(0.7..1.4).contains(&ratio), "texels are not square: {ratio}");
+            long += usize::from(!(0.7..1.4).contains(&ratio));
             assert!(
                 (got / radius - 1.0).abs() < 0.05,
                 "turned by {turn}, {fit:?} {warp:?}: {got}, not {radius}"
             );
         }
     }
+    assert!(long >= 2, "texels are long in {long} of six");
 }
 
 #[test]

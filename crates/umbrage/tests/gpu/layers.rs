@@ -1,0 +1,61 @@
+//! Maps of more than the first surface: they need no other bias, and lose no shadow.
+
+use glam::Vec3;
+use umbrage::{Bias, Filter, Layer, Settings, Warp};
+
+use crate::common::{Query, camera, device, draw, hits, queries, world};
+
+const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
+
+/// Shares of receivers that are falsely shadowed and falsely lit, by rays.
+fn wrong(settings: Settings, queries: &[Query], lit: &[bool]) -> [f64; 2] {
+    let camera = eye();
+    let answers =
+        draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world()).visibility(queries);
+    let share = |of: fn(bool, f32) -> bool| {
+        let wrong = lit.iter().zip(&answers).filter(|(lit, answer)| of(**lit, **answer)).count();
+        wrong as f64 / lit.len() as f64
+    };
+    [share(|lit, answer| lit && answer < 0.5), share(|lit, answer| !lit && answer >= 0.5)]
+}
+
+fn eye() -> umbrage::Camera {
+    camera(Vec3::new(-30.0, 9.0, 38.0), Vec3::new(4.0, 0.0, -6.0))
+}
+
+#[test]
+fn surfaces_do_not_shadow_themselves_in_a_map_of_what_lies_behind_them() {
+    let world = world();
+    let to_light = -LIGHT.normalize_or_zero();
+    let faces_light = |query: &Query| query.normal.dot(to_light) > 0.1;
+    let queries: Vec<Query> = queries(&world, &eye(), 60).into_iter().filter(faces_light).collect();
+    let reaches = |query: &Query| {
+        let origin = query.position + query.normal * 1e-3;
+        !world.iter().any(|triangle| hits(origin, to_light, triangle))
+    };
+    let lit: Vec<bool> = queries.iter().map(reaches).collect();
+    for warp in [Warp::None, Warp::Lispsm] {
+        let of = |layer| {
+            let bias = Bias { layer, layer_limit: 0.3, ..Bias::NONE };
+            let settings =
+                Settings { bias, warp, filter: Filter::Hard {}, resolution: 512, ..Settings::default() };
+            wrong(settings, &queries, &lit)
+        };
+        let [acne, _] = of(Layer::First);
+        println!("{warp:?}: {acne:.4} falsely shadowed by the first surface");
+        assert!(acne > 0.05, "without a bias there is acne: {acne}");
+        // A second surface that is the floor which a thing stands on lets light in around its foot.
+        for (layer, most_light) in [(Layer::Second, 0.03), (Layer::Midpoint, 0.015), (Layer::Dual, 0.015)] {
+            let [shadow, light] = of(layer);
+            println!(
+                "{warp:?} {layer:?}: {shadow:.4} falsely shadowed, {light:.4} falsely lit, of {}",
+                lit.len()
+            );
+            // What is left are edges, which a map of this size displaces both ways.
+            assert!(
+                shadow < 0.02 && light < most_light,
+                "{warp:?} {layer:?}: {shadow} falsely shadowed, {light} lit"
+            );
+        }
+    }
+}
