@@ -39,6 +39,8 @@ pub enum Filter {
     Rotated(Disc),
     /// A spiral of equal areas (Vogel 1979), at each place turned by another angle.
     Vogel(Disc),
+    /// What the pixel covers of the map.
+    Footprint(Footprint),
     /// Percentage-closer soft shadows: a disc as wide as the penumbra (Fernando 2005).
     Pcss(Pcss),
     /// Mean and variance of depth (Donnelly & Lauritzen 2006).
@@ -76,6 +78,17 @@ pub struct Disc {
     pub seed: Seed,
     /// Whether four points on the rim are asked first, and the others only where those disagree.
     pub bail: bool,
+}
+
+/// Comparisons all over what the pixel covers of the map: a parallelogram, and a texel around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Footprint {
+    /// How many: 1 to 64.
+    pub taps: u32,
+    /// The most that a pixel may reach from its middle, texels, 1 to 64. Maps have so much room around what is seen.
+    pub most_texels: f32,
 }
 
 /// By what places are told apart.
@@ -243,6 +256,12 @@ impl Default for Disc {
     }
 }
 
+impl Default for Footprint {
+    fn default() -> Self {
+        Self { taps: 32, most_texels: 8.0 } // as many comparisons as PCF 5 × 5; texels are about as large as pixels
+    }
+}
+
 impl Default for LightSize {
     fn default() -> Self {
         Self { sun_degrees: 0.53, lamp_metres: 0.1 } // our sun, and a bulb with its shade
@@ -336,9 +355,8 @@ impl Filter {
         let variance = |deviation: f32| (deviation / depth_metres.max(f32::MIN_POSITIVE)).powi(2).min(0.01);
         match self {
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) | Self::Pcss(_) => {
-                None
-            }
+            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
+            Self::Footprint(_) | Self::Pcss(_) => None,
             Self::Vsm(Variance { least_deviation, bleed, .. })
             | Self::Savsm(SummedVariance { least_deviation, bleed, .. }) => {
                 let least_variance = variance(*least_deviation);
@@ -375,9 +393,8 @@ impl Filter {
             | Self::Evsm4(ExponentialVariance { prefilter, .. })
             | Self::Msm(FourMoments { prefilter, .. }) => Some(prefilter),
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) | Self::Pcss(_) => {
-                None
-            }
+            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
+            Self::Footprint(_) | Self::Pcss(_) => None,
             Self::Savsm(_) | Self::Mssm(_) => None,
         }
     }
@@ -387,24 +404,14 @@ impl Filter {
         match self {
             Self::Pcss(Pcss { light, .. }) | Self::Mssm(SoftMoments { light, .. }) => Some(*light),
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
+            Self::Poisson(_)
+            | Self::Stratified(_)
+            | Self::Rotated(_)
+            | Self::Vogel(_)
+            | Self::Footprint(_) => None,
             Self::Vsm(_) | Self::Savsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => {
                 None
             }
-        }
-    }
-
-    /// Its disc, where it has one of a given radius.
-    pub fn disc(&self) -> Option<&Disc> {
-        match self {
-            Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
-                Some(disc)
-            }
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } | Self::Pcss(_) => {
-                None
-            }
-            Self::Vsm(_) | Self::Savsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) => None,
-            Self::Msm(_) | Self::Mssm(_) => None,
         }
     }
 
@@ -417,9 +424,9 @@ impl Filter {
             Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
                 disc.radius_texels.max(0.5) + 1.0
             }
-            Self::Pcss(Pcss { most_texels, .. }) | Self::Mssm(SoftMoments { most_texels, .. }) => {
-                most_texels + 1.0
-            }
+            Self::Footprint(Footprint { most_texels, .. })
+            | Self::Pcss(Pcss { most_texels, .. })
+            | Self::Mssm(SoftMoments { most_texels, .. }) => most_texels + 1.0,
             Self::Savsm(SummedVariance { radius_texels, .. }) => radius_texels.max(0.5) + 1.0,
             Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => {
                 self.prefilter().map_or(1.0, |of| (of.shrink * (of.blur_texels + 1)) as f32)
@@ -437,7 +444,7 @@ impl Filter {
             Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
                 disc.radius_at(texel_metres) + 1.0
             }
-            Self::Pcss(_) | Self::Savsm(_) | Self::Mssm(_) => 1.0,
+            Self::Footprint(_) | Self::Pcss(_) | Self::Savsm(_) | Self::Mssm(_) => 1.0,
             Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => 1.0,
         }
     }
@@ -451,6 +458,10 @@ impl Filter {
             Self::Optimised { size } => return wrong_size(*size, "3, 5 or 7 texels a side"),
             Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) => disc.validate(16.0)?,
             Self::Vogel(disc) => disc.validate(64.0)?,
+            Self::Footprint(Footprint { taps, most_texels }) => {
+                check("filter.taps", f64::from(*taps), 1.0, 64.0, "from 1 to 64 points")?;
+                check("filter.most_texels", *most_texels, 1.0, 64.0, "from 1 to 64 texels")?;
+            }
             Self::Pcss(of) => of.validate()?,
             Self::Vsm(of) => {
                 check_deviation(of.least_deviation)?;

@@ -54,6 +54,11 @@ impl Footing {
         self.right.length().max(self.down.length())
     }
 
+    /// How far a step in the world goes on the map, texels to the right and downward.
+    pub fn texels(&self, step: Vec3) -> Vec2 {
+        Vec2::new(self.right_gradient.dot(step), self.down_gradient.dot(step))
+    }
+
     /// How far along its unit normal a plane must be moved so that its point here comes to lie before all of the plane
     /// within `texels` to every side, as the light sees it: metres. Along the light that is the distance over the cosine.
     pub fn lift(&self, normal: Vec3, texels: f32) -> f32 {

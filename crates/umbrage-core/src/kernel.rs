@@ -3,7 +3,7 @@
 //! Sources: H. Vogel 1979, *A better way to construct the sunflower head*; J. Jimenez, SIGGRAPH 2014 (the noise that turns
 //! it); opengl-tutorial 16 (the table of points). Space: the unit disc, around the receiver.
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 /// The table of opengl-tutorial 16. Its middle is not the origin: that of its first four points lies 0.45 below it.
 pub const POISSON: [Vec2; 16] = [
@@ -39,6 +39,15 @@ pub fn poisson(count: usize, centred: bool) -> impl Iterator<Item = Vec2> {
 pub fn vogel(i: usize, count: usize) -> Vec2 {
     let radius = ((i as f32 + 0.5) / count.max(1) as f32).sqrt();
     Vec2::from_angle(i as f32 * GOLDEN_ANGLE) * radius
+}
+
+/// Point `i` of a square around the origin with side 1, and of another: even over both together (Roberts 2018, the sequence
+/// of the generalised golden ratio of four dimensions).
+pub fn two_squares(i: usize) -> Vec4 {
+    /// The root of x⁵ = x + 1.
+    const RATIO: f64 = 1.167_303_978_261_418_7;
+    let part = |power: i32| ((i as f64 + 0.5) * RATIO.powi(-power)).fract() - 0.5;
+    Vec4::new(part(1) as f32, part(2) as f32, part(3) as f32, part(4) as f32)
 }
 
 /// A number from 0 to 1 for a place on the screen, pixels: even over any few neighbours.
@@ -99,6 +108,16 @@ mod tests {
             // 53 times what f32 rounds of a coordinate.
             assert!((got - noise).abs() < 1e-3, "{x}, {y}: {got}, not {noise}");
         }
+    }
+
+    #[test]
+    fn two_squares_are_even_by_themselves_and_against_each_other() {
+        let points: Vec<Vec4> = (0..256).map(two_squares).collect();
+        for (a, b) in [(0, 1), (2, 3), (0, 2), (1, 3), (0, 3), (1, 2)] {
+            let quarter = points.iter().filter(|p| p[a] < 0.0 && p[b] < 0.0).count();
+            assert!(quarter.abs_diff(64) <= 6, "{quarter} of 256 in a quarter of {a}, {b}");
+        }
+        assert!(points.iter().all(|p| p.abs().max_element() <= 0.5), "in the squares");
     }
 
     #[test]

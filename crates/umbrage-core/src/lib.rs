@@ -52,8 +52,8 @@ pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
 pub use few::Few;
 pub use filter::{
-    Disc, Exponential, ExponentialVariance, Filter, FourMoments, LightSize, MomentPrecision, Pcss, Prefilter,
-    Seed, SoftMoments, SummedVariance, Variance,
+    Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision, Pcss,
+    Prefilter, Seed, SoftMoments, SummedVariance, Variance,
 };
 pub use footing::Footing;
 pub use frustum::Plane;

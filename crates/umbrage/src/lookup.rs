@@ -37,6 +37,17 @@ pub struct Place {
     pub texel_metres: Vec2,
 }
 
+/// Who asks for visibility.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asker {
+    /// World space, metres.
+    pub position: Vec3,
+    /// Unit, geometric.
+    pub normal: Vec3,
+    /// Its place on the screen, pixels.
+    pub pixel: Vec2,
+}
+
 /// A receiver of one light's shadows, and what it is looked up with.
 #[derive(Clone, Copy)]
 struct Receiver<'a> {
@@ -92,7 +103,11 @@ impl Lookup<'_> {
         if outside || place.reference > 1.0 {
             return 1.0;
         }
-        self.filter(view, place, receiver.position, receiver.pixel)
+        self.filter(
+            view,
+            place,
+            &Asker { position: receiver.position, normal: receiver.normal, pixel: receiver.pixel },
+        )
     }
 
     /// As `umbrage_blend` of the shaders.
@@ -124,11 +139,11 @@ impl Lookup<'_> {
         mix(1.0, mixed, smoothstep(left))
     }
 
-    /// What the filter makes of a place in a view's tile. Where a receiver is in the world and on the screen matters to
-    /// filters with noise alone. Moments are read at their full size.
-    pub fn filter(&self, view: &ShadowView, place: &Place, world_position: Vec3, pixel: Vec2) -> f32 {
+    /// What the filter makes of a place in a view's tile. Who asks matters to filters with noise and to footprints, which
+    /// are those of a picture of 1920 × 1080 here. Moments are read at their full size.
+    pub fn filter(&self, view: &ShadowView, place: &Place, asker: &Asker) -> f32 {
         let Self { plan, settings, maps } = *self;
-        Reader { plan, settings, maps, view, place: *place }.visibility(world_position, pixel)
+        Reader { plan, settings, maps, view, place: *place }.visibility(asker)
     }
 }
 

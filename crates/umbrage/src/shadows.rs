@@ -328,7 +328,7 @@ impl Shadows {
 }
 
 /// The picture that a camera is taken to fill until it is said, pixels.
-const PICTURE_SIZE: [u32; 2] = [1920, 1080];
+pub(crate) const PICTURE_SIZE: [u32; 2] = [1920, 1080];
 
 /// Whether a device can do what settings ask for.
 fn check_supported(settings: &Settings, capabilities: Capabilities) -> Result<(), ShadowError> {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use glam::Vec2;
-use umbrage_core::kernel::{POISSON, poisson, vogel};
+use glam::{Vec2, Vec4};
+use umbrage_core::kernel::{POISSON, poisson, two_squares, vogel};
 use umbrage_core::{Disc, Filter, Footing, RASTER_STEP_TEXELS, Reference, Seed, Select, Settings, Shade};
 
 use crate::capabilities::Capabilities;
@@ -18,6 +18,7 @@ const FOOTING: &str = include_str!("../shaders/footing.wgsl");
 const RECEIVER: &str = include_str!("../shaders/receiver.wgsl");
 const FADE: &str = include_str!("../shaders/blend/fade.wgsl");
 const PENUMBRA: &str = include_str!("../shaders/penumbra.wgsl");
+const FOOTPRINT: &str = include_str!("../shaders/footprint.wgsl");
 const PCG: &str = include_str!("../shaders/noise/pcg.wgsl");
 const BOX: &str = include_str!("../shaders/sample/box.wgsl");
 
@@ -93,6 +94,15 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
         Filter::Stratified(of) => disc(of, include_str!("../shaders/points/picked.wgsl"), tap, table(of)),
         Filter::Rotated(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, table(of)),
         Filter::Vogel(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, spiral(of.taps)),
+        Filter::Footprint(of) => {
+            let list: Vec<String> = (0..of.taps as usize).map(|i| vector(two_squares(i))).collect();
+            let mut numbers =
+                format!("const UMBRAGE_POINTS = array<vec4f, {}>({});\n", list.len(), list.join(", "));
+            let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
+            let _ = writeln!(numbers, "const UMBRAGE_MOST_TEXELS: f32 = {:?};", of.most_texels);
+            let files = [tap, FOOTPRINT, include_str!("../shaders/filter/footprint.wgsl")];
+            [fixed_reach(settings), numbers].into_iter().chain(files.map(text)).collect()
+        }
         Filter::Pcss(of) => {
             let mut numbers =
                 points("UMBRAGE_POINTS", &spiral(of.taps)) + &points("UMBRAGE_SEARCH", &spiral(of.blockers));
@@ -189,6 +199,10 @@ fn points(name: &str, points: &[Vec2]) -> String {
     format!("const {name} = array<vec2f, {}>({});\n", points.len(), list.join(", "))
 }
 
+fn vector(point: Vec4) -> String {
+    format!("vec4f({:?}, {:?}, {:?}, {:?})", point.x, point.y, point.z, point.w)
+}
+
 fn noise(seed: Seed) -> &'static str {
     match seed {
         Seed::Screen => include_str!("../shaders/noise/screen.wgsl"),
@@ -225,6 +239,7 @@ fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
         format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n") + &least_deviation(&settings.filter);
     let files = [
         DEPTH,
+        FOOTPRINT,
         include_str!("../shaders/sample/inside.wgsl"),
         sample,
         include_str!("../shaders/filter/moments.wgsl"),
@@ -255,8 +270,8 @@ fn least_deviation(filter: &Filter) -> String {
 #[cfg(test)]
 mod tests {
     use umbrage_core::{
-        Bias, Exponential, ExponentialVariance, FourMoments, Pcss, Prefilter, SoftMoments, SummedVariance,
-        Variance, Warp,
+        Bias, Exponential, ExponentialVariance, Footprint, FourMoments, Pcss, Prefilter, SoftMoments,
+        SummedVariance, Variance, Warp,
     };
 
     use super::*;
@@ -298,6 +313,7 @@ mod tests {
         let others = [
             Filter::Hard {},
             Filter::Bilinear {},
+            Filter::Footprint(Footprint::default()),
             Filter::Pcss(Pcss::default()),
             Filter::Savsm(savsm),
             Filter::Savsm(SummedVariance { radius: Some(0.1), ..savsm }),

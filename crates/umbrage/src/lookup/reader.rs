@@ -3,17 +3,18 @@
 //! Kernels are summed texel by texel, and moments blurred around the place that is asked for: slow, and another road than
 //! the shaders take.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Mat2, Vec2, Vec3, Vec4, Vec4Swizzles as _};
 use umbrage_core::kernel::{
-    POISSON, gaussian, interleaved_gradient_noise, picked, poisson, vogel, world_noise,
+    POISSON, gaussian, interleaved_gradient_noise, picked, poisson, two_squares, vogel, world_noise,
 };
 use umbrage_core::{
     Disc, Filter, Moments, Msm, Pcss, Prefilter, Reference, Seed, Settings, ShadowPlan, ShadowView,
     SoftMoments, SummedVariance,
 };
 
-use super::Place;
+use super::{Asker, Place};
 use crate::maps::MapTexels;
+use crate::shadows::PICTURE_SIZE;
 
 /// A place of a view's tile, and the map to read it from.
 pub(super) struct Reader<'a> {
@@ -26,10 +27,10 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     /// How much light the filter lets through.
-    pub fn visibility(&self, world_position: Vec3, pixel: Vec2) -> f32 {
+    pub fn visibility(&self, asker: &Asker) -> f32 {
         let noise = |seed: Seed| match seed {
-            Seed::Screen => interleaved_gradient_noise(pixel),
-            Seed::World => world_noise(world_position),
+            Seed::Screen => interleaved_gradient_noise(asker.pixel),
+            Seed::World => world_noise(asker.position),
             Seed::None => 0.0,
         };
         let filter = &self.settings.filter;
@@ -53,6 +54,15 @@ impl Reader<'_> {
             Filter::Vogel(disc) => {
                 let turn = turn(noise(disc.seed));
                 self.disc(disc, &spiral(disc.taps), |_, point| turn.rotate(point))
+            }
+            Filter::Footprint(of) => {
+                let footprint = self.footprint(asker);
+                let most = Vec2::splat(of.most_texels);
+                let tap = |i: u32| {
+                    let point = two_squares(i as usize);
+                    self.tap((footprint * point.xy() + point.zw()).clamp(-most, most))
+                };
+                (0..of.taps).map(tap).sum::<f32>() / of.taps as f32
             }
             Filter::Pcss(pcss) => self.pcss(pcss, turn(noise(pcss.seed))),
             Filter::Vsm(_) | Filter::Esm(_) | Filter::Evsm2(_) | Filter::Evsm4(_) | Filter::Msm(_) => {
@@ -131,6 +141,23 @@ impl Reader<'_> {
         };
         let rim = lit(&CORNERS);
         if disc.bail && (rim == 0.0 || rim == 1.0) { rim } else { lit(points) }
+    }
+
+    /// How the place on the map changes from a pixel to the next, to the right and upward, texels.
+    fn footprint(&self, Asker { position, normal, .. }: &Asker) -> Mat2 {
+        let clip_from_world = self.plan.camera().clip_from_world();
+        let [x, y, w] = [0, 1, 3].map(|i| clip_from_world.row(i));
+        let point = position.extend(1.0);
+        let depth = w.dot(point);
+        let pixels = |row: Vec4, side: u32| {
+            (row.truncate() - w.truncate() * (row.dot(point) / depth)) * (0.5 * side as f32 / depth)
+        };
+        let (right, up) = (pixels(x, PICTURE_SIZE[0]), pixels(y, PICTURE_SIZE[1]));
+        let area = normal.dot(right.cross(up));
+        let scale = if area.abs() > 1e-30 { 1.0 / area } else { 0.0 };
+        let footing = self.view.texel_at(*position);
+        let on_map = |step: Vec3| footing.texels(step * scale);
+        Mat2::from_cols(on_map(up.cross(*normal)), on_map(normal.cross(right)))
     }
 
     /// Radius of the disc on the map through which the light is seen past a blocker at an even depth, texels.

@@ -3,12 +3,15 @@
 
 use glam::{Vec2, Vec3};
 use umbrage::{
-    Bias, Disc, Exponential, ExponentialVariance, Filter, FourMoments, LightSize, MomentPrecision, Pcss,
-    Place, Precision, Prefilter, Seed, Settings, Shadows, SoftMoments, Storage, SummedVariance, Variance,
-    Warp,
+    Asker, Bias, Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize,
+    MomentPrecision, Pcss, Place, Precision, Prefilter, Seed, Settings, Shadows, SoftMoments, Storage,
+    SummedVariance, Variance, Warp,
 };
 
 use crate::common::{camera, device, device_without, draw, queries, world};
+
+/// Who asks in `Drawn::filter`.
+const ASKER: Asker = Asker { position: Vec3::ZERO, normal: Vec3::Y, pixel: Vec2::splat(0.5) };
 
 const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
 
@@ -34,7 +37,7 @@ fn differences(settings: &Settings, tolerance: f32) -> (f64, f32) {
             .collect();
         let gpu = drawn.filter(view.index as u32, &places);
         for (place, gpu) in places.iter().zip(&gpu) {
-            let cpu = lookup.filter(view, place, Vec3::ZERO, Vec2::splat(0.5));
+            let cpu = lookup.filter(view, place, &ASKER);
             assert!((0.0..=1.0).contains(gpu) && cpu.is_finite(), "{gpu}, {cpu} at {place:?}");
             let difference = (gpu - cpu).abs();
             largest = largest.max(difference);
@@ -70,6 +73,17 @@ fn points_on_a_disc_are_where_rust_says() {
                 assert!(share < 2e-3, "{filter:?}, plane {receiver_plane}: {share} differ");
             }
         }
+    }
+}
+
+#[test]
+fn what_a_pixel_covers_is_what_rust_says() {
+    for (receiver_plane, warp) in [(false, Warp::None), (true, Warp::None), (true, Warp::Lispsm)] {
+        let bias = Bias { receiver_plane, ..Bias::default() };
+        let filter = Filter::Footprint(Footprint { taps: 64, ..Footprint::default() });
+        let (share, largest) = differences(&Settings { bias, warp, ..with(filter) }, 1.5 / 64.0);
+        println!("footprint, plane {receiver_plane}, {warp:?}: {share:.4} differ, by {largest} at most");
+        assert!(share < 5e-3, "plane {receiver_plane}, {warp:?}: {share} differ");
     }
 }
 
