@@ -84,8 +84,8 @@ impl Settings {
     /// Mirrors `umbrage_gradient` of the shaders.
     pub fn reference_gradient(&self, footing: &Footing, normal: Vec3, to_light: Vec3) -> Vec2 {
         match self.reference() {
-            Reference::Plane => footing.slope(normal, to_light),
-            Reference::Facing => footing.slope(to_light, to_light),
+            Reference::Plane => footing.slope(normal, to_light, self.filter.steepest_plane()),
+            Reference::Facing => footing.slope(to_light, to_light, self.filter.steepest_plane()),
             Reference::Own => Vec2::ZERO,
         }
     }
@@ -97,7 +97,7 @@ pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 /// How far along the light a receiver's plane may lie from the receiver within its lookups' reach, in texels.
 pub(crate) fn plane_reach_texels(bias: &Bias, filter: &Filter) -> f64 {
     let corner = std::f64::consts::SQRT_2 * f64::from(filter.reach_texels());
-    if bias.receiver_plane { corner * f64::from(Footing::STEEPEST_PLANE) } else { 0.0 }
+    if bias.receiver_plane { corner * f64::from(filter.steepest_plane()) } else { 0.0 }
 }
 
 /// How far toward the light what is compared may lie from its receiver, at most, metres.
@@ -106,7 +106,7 @@ pub(crate) fn largest_bias(bias: &Bias, filter: &Filter, texel_metres: f64) -> f
         + f64::from(bias.constant)
         + f64::from(bias.slope) * texel_metres * f64::from(bias.slope_limit)
         + plane_reach_texels(bias, filter) * texel_metres
-        + 2.0 * f64::from(RASTER_STEP_TEXELS * Footing::STEEPEST_PLANE) * texel_metres
+        + 2.0 * f64::from(RASTER_STEP_TEXELS * filter.steepest_plane()) * texel_metres
 }
 
 #[cfg(test)]
@@ -224,8 +224,7 @@ mod tests {
                 let (y, x) = (f64::from(turn) * 0.4).sin_cos();
                 let normal = (light.right * x + light.up * y) * sine - light.along * cosine;
                 let footing = view.texel_at(Vec3::ONE);
-                let gradient =
-                    with(bias, Filter::Bilinear {}).reference_gradient(&footing, normal.as_vec3(), Vec3::Y);
+                let gradient = with(bias, filter).reference_gradient(&footing, normal.as_vec3(), Vec3::Y);
                 let toward = with(bias, filter).bias_metres(&footing, normal.as_vec3(), Vec3::Y);
                 let nearest = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres
                     + toward.along_normal

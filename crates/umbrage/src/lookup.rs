@@ -221,7 +221,8 @@ impl<'a> Receiver<'a> {
             texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
             reference: ndc.z
                 - footing.rise(to_light) * bias.toward_light
-                - footing.slope(normal, to_light).abs().element_sum() * RASTER_STEP_TEXELS
+                - footing.slope(normal, to_light, settings.filter.steepest_plane()).abs().element_sum()
+                    * RASTER_STEP_TEXELS
                 - settings.depth.step(),
             gradient: settings.reference_gradient(&footing, normal, to_light),
             texel_metres: Vec2::new(footing.right.length(), footing.down.length()),

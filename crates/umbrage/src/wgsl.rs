@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use glam::{Vec2, Vec4};
 use umbrage_core::kernel::{POISSON, poisson, two_squares, vogel};
-use umbrage_core::{Disc, Filter, Footing, RASTER_STEP_TEXELS, Reference, Seed, Select, Settings, Shade};
+use umbrage_core::{Disc, Filter, RASTER_STEP_TEXELS, Reference, Seed, Select, Settings, Shade};
 
 use crate::capabilities::Capabilities;
 use crate::moments::moments_wgsl;
@@ -63,7 +63,7 @@ fn constants(settings: &Settings) -> String {
     let reach = settings.filter.reach_texels();
     // Writing to a string cannot fail.
     let mut text = format!("const UMBRAGE_FILTER_REACH: f32 = {reach:?};\n");
-    let _ = writeln!(text, "const UMBRAGE_STEEPEST_PLANE: f32 = {:?};", Footing::STEEPEST_PLANE);
+    let _ = writeln!(text, "const UMBRAGE_STEEPEST_PLANE: f32 = {:?};", settings.filter.steepest_plane());
     let _ = writeln!(text, "const UMBRAGE_RASTER_STEP: f32 = {RASTER_STEP_TEXELS:?};");
     if settings.blend > 0.0 {
         let _ = writeln!(text, "const UMBRAGE_BLEND: f32 = {:?};", settings.blend);
