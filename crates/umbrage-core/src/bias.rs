@@ -169,8 +169,8 @@ mod tests {
         for receiver in [tip + axis * 5.0, Vec3::new(1.0, 3.0, 1.0), Vec3::new(-2.0, 0.0, 3.0), Vec3::ZERO] {
             let to_light = (tip - receiver).normalize_or_zero();
             let footing = view.texel_at(receiver);
-            let ours = footing.rise(to_light)
-                * settings.bias_metres(&footing, to_light, to_light).toward_light;
+            let ours =
+                footing.rise(to_light) * settings.bias_metres(&footing, to_light, to_light).toward_light;
             let z = view.clip_from_world.project_point3(receiver).z;
             // Theirs is measured along the axis, ours along the ray.
             let s = 0.01 * -axis.dot(to_light);
