@@ -60,8 +60,8 @@ fn page(results: &Value) -> Option<String> {
         "# Every kind of bias\n\n\
          Written by `cargo xtask biases`; do not edit. `umbrage report {EXPERIMENT} -o DIR` makes the page.\n\n\
          Adapter: {}.\nCommit: {}.\nPictures of {} x {} pixels of `{}`, the means over its cameras; one comparison a pixel.\n\n\
-         Strengths are in what theory asks. The area is the mean of false shadow over false light from {:.2} to {:.2} %, at \
-         each the least of the settings that let in no more.\n",
+         Strengths are in what theory asks. The area is the geometric mean of false shadow over false light from {:.2} to \
+         {:.2} %: at each, the least of the kind's settings that let in no more, and that of no bias where none does.\n",
         first["adapter"].as_str()?,
         rows.first()?["machine"]["commit"].as_str()?,
         first["width"],
@@ -72,6 +72,7 @@ fn page(results: &Value) -> Option<String> {
     );
     let reaches = |kind: &&Kind| kind.settings.iter().any(|of| of.false_shadow < 1e-5);
     let names: Vec<&str> = kinds.iter().filter(reaches).map(|kind| kind.name.as_str()).collect();
+    let unbiased = kinds.iter().flat_map(|kind| &kind.settings).map(|of| of.false_shadow).fold(0.0, f64::max);
     let names = if names.is_empty() { "none".to_owned() } else { names.join("; ") };
     writeln!(text, "Kinds that bring false shadow below 0.001 %: {names}.\n").ok()?;
     text += "| kind | acne below 0.01 % from | least false shadow | at | false light there | acne there | area |\n|---|---|---|---|---|---|---|\n";
@@ -87,7 +88,7 @@ fn page(results: &Value) -> Option<String> {
             best.strength,
             percent(best.false_light),
             percent(best.acne),
-            percent(area(settings)),
+            percent(area(settings, unbiased)),
         )
         .ok()?;
     }
@@ -128,20 +129,19 @@ fn kinds(rows: &[Value]) -> Option<Vec<Kind>> {
     Some(kinds)
 }
 
-/// The mean of the least false shadow over the range of [`FALSE_LIGHT`]; where no setting lets in so little, the most that
-/// the kind has, which is that of no bias.
-fn area(settings: &[Setting]) -> f64 {
+/// The geometric mean of the least false shadow over the range of [`FALSE_LIGHT`]; `unbiased` where no setting lets in so
+/// little.
+fn area(settings: &[Setting], unbiased: f64) -> f64 {
     let [start, end] = FALSE_LIGHT;
     let mut stairs: Vec<&Setting> = settings.iter().collect();
     stairs.sort_by(|a, b| a.false_light.total_cmp(&b.false_light));
-    let mut least = settings.iter().map(|of| of.false_shadow).fold(0.0, f64::max);
-    let (mut sum, mut from) = (0.0, start);
+    let (mut sum, mut from, mut least) = (0.0, start, unbiased);
     for Setting { false_light, false_shadow, .. } in stairs {
         let to = false_light.clamp(start, end);
-        sum += least * (to - from);
+        sum += least.ln() * (to - from);
         (from, least) = (to, least.min(*false_shadow));
     }
-    (sum + least * (end - from)) / (end - start)
+    ((sum + least.ln() * (end - from)) / (end - start)).exp()
 }
 
 #[cfg(test)]
@@ -155,8 +155,10 @@ mod tests {
     #[test]
     fn the_area_is_that_below_the_stairs() {
         // Half of the range at 0.4, and half at 0.1; what lets in more than the range counts for nothing.
-        let settings = [setting(0.0002, 0.4), setting(0.0015, 0.1), setting(0.01, 0.0)];
-        assert!((area(&settings) - 0.25).abs() < 1e-12, "{}", area(&settings));
+        let settings = [setting(0.0002, 0.4), setting(0.0015, 0.1), setting(0.01, 0.001)];
+        assert!((area(&settings, 0.5) - 0.2).abs() < 1e-12, "{}", area(&settings, 0.5));
+        // Half of it at what no bias has.
+        assert!((area(&settings[1..], 0.9) - 0.3).abs() < 1e-12, "{}", area(&settings[1..], 0.9));
     }
 
     #[test]
