@@ -1,4 +1,4 @@
-//! `docs/error.md`: how wrong the default is, from every camera of every world, and the curves it was chosen by; all from
+//! `docs/error.md`: how wrong the default is, from every camera of every world, and the curve that λ was chosen by; all from
 //! `umbrage report`.
 
 use std::collections::BTreeMap;
@@ -12,8 +12,8 @@ use crate::command::{root, umbrage};
 const EXPERIMENT: &str = "experiments/default.toml";
 const FOLDER: &str = "target/report";
 
-/// Experiments whose first plot is shown beside the decision, and what it is called.
-const CURVES: [(&str, &str); 2] = [("lambda-sweep", "lambda.svg"), ("bias-roc", "bias-roc.svg")];
+/// The experiment whose first plot is shown beside the decision.
+const CURVE: &str = "lambda-sweep";
 
 pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
     let report = |experiment: &str| {
@@ -21,12 +21,10 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
         args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
         umbrage(&args)
     };
-    for (name, picture) in CURVES {
-        report(&format!("experiments/{name}.toml"))?;
-        let page = std::fs::read_to_string(root().join(FOLDER).join(format!("{name}.html")))?;
-        let plot = first_plot(&page).with_context(|| format!("the page of {name} has no plot"))?;
-        std::fs::write(root().join("docs/pictures").join(picture), plot)?;
-    }
+    report(&format!("experiments/{CURVE}.toml"))?;
+    let page_of_curve = std::fs::read_to_string(root().join(FOLDER).join(format!("{CURVE}.html")))?;
+    let plot = first_plot(&page_of_curve).with_context(|| format!("the page of {CURVE} has no plot"))?;
+    std::fs::write(root().join("docs/pictures/lambda.svg"), plot)?;
     report(EXPERIMENT)?;
     let text = std::fs::read_to_string(root().join(FOLDER).join("default.json"))?;
     let results: Value = serde_json::from_str(&text)?;
@@ -39,7 +37,7 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
 }
 
 /// The first plot of a page, on white.
-fn first_plot(page: &str) -> Option<String> {
+pub fn first_plot(page: &str) -> Option<String> {
     let start = page.find("<svg")?;
     let plot = &page[start..start + page[start..].find("</svg>")?];
     let (head, body) = plot.split_at(plot.find('>')? + 1);

@@ -1,9 +1,11 @@
 //! Repository chores: `cargo xtask results` times every world into `docs/results.md`, `cargo xtask error` measures how
-//! wrong the default is into `docs/error.md`, `cargo xtask claims` says which of the papers' claims hold in
-//! `docs/claims.md`, `cargo xtask pictures` draws the pictures of the documents.
+//! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
+//! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask pictures` draws the
+//! pictures of the documents.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage` and reads its JSON.
 
+mod biases;
 mod claims;
 mod command;
 mod error;
@@ -40,6 +42,15 @@ enum Chore {
         #[arg(long)]
         adapter: Option<String>,
     },
+    /// Measures every kind of bias and writes docs/biases.md
+    Biases {
+        /// Part of the name of the adapter to draw on
+        #[arg(long)]
+        adapter: Option<String>,
+        /// A folder with the page of `umbrage report`, where it is made already
+        #[arg(long, value_name = "DIR")]
+        pages: Option<std::path::PathBuf>,
+    },
     /// Says which of the papers' claims hold, in docs/claims.md
     Claims {
         /// Part of the name of the adapter to draw on
@@ -58,6 +69,7 @@ fn main() -> anyhow::Result<()> {
         Chore::Results { planning: true, .. } => results::write_planning(),
         Chore::Results { adapter, frames, .. } => results::write(adapter.as_deref(), frames),
         Chore::Error { adapter } => error::write(adapter.as_deref()),
+        Chore::Biases { adapter, pages } => biases::write(adapter.as_deref(), pages.as_deref()),
         Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
         Chore::Pictures => pictures::draw(),
     }

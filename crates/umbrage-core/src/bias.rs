@@ -8,7 +8,9 @@
 //!
 //! Or each texel is compared with the depth that the receiver's plane has at the texel's centre: then nothing differs on
 //! a flat receiver, and only bends within the reach are left to cover. (Dou et al., *Adaptive Depth Bias for Shadow
-//! Maps*, I3D 2014, reconstruct that depth; here it follows from the geometric normal.)
+//! Maps*, I3D 2014, reconstruct that depth; here it follows from the geometric normal.) Beside it Dou has an epsilon that
+//! grows with perspective depth z: ½ (1 − A − 2z)² s / B. With A and B of a GL projection, z = ½ (1 − A + B / d) at depth d,
+//! so dz/dd = −½ B / d² = −½ (1 − A − 2z)² / B: it is what s metres toward the light change z by. `constant` is s.
 
 use glam::{Vec2, Vec3};
 
@@ -147,6 +149,36 @@ mod tests {
                 (gap_along_light / error - 1.0).abs() < 1e-4,
                 "{degrees}°: {gap_along_light} against {error}"
             );
+        }
+    }
+
+    #[test]
+    fn a_constant_in_metres_is_the_epsilon_of_dou() {
+        let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+        let camera = Camera::looking(Vec3::new(0.0, 2.0, 9.0), Vec3::ZERO, Vec3::Y, projection, 0.5, 60.0)
+            .expect("a camera");
+        let (tip, axis) = (Vec3::new(2.0, 9.0, 3.0), Vec3::new(-0.2, -1.0, -0.3).normalize_or_zero());
+        let lights = [Light::spot(tip, axis, 0.6, 40.0).expect("a spot")];
+        let bounds = Bounds::of_world(Vec3::new(-20.0, 0.0, -20.0), Vec3::new(20.0, 6.0, 20.0));
+        let settings = with(Bias { constant: 0.01, ..Bias::NONE }, Filter::Hard {});
+        let plan = plan(&camera, &lights, &bounds, &settings).expect("a plan");
+        let view = &plan.views()[0];
+        // Rows of GL's projection for depth, from the planes: A is (n + f) / (n − f), and B is 2nf / (n − f).
+        let (near, far) = (view.near_metres, view.near_metres + view.depth_metres);
+        let (a, b) = ((near + far) / (near - far), 2.0 * near * far / (near - far));
+        for receiver in [tip + axis * 5.0, Vec3::new(1.0, 3.0, 1.0), Vec3::new(-2.0, 0.0, 3.0), Vec3::ZERO] {
+            let to_light = (tip - receiver).normalize_or_zero();
+            let footing = view.texel_at(receiver);
+            let ours =
+                footing.rise(to_light) * settings.bias_metres(&footing, to_light, to_light).toward_light;
+            let z = view.clip_from_world.project_point3(receiver).z;
+            // Theirs is measured along the axis, ours along the ray.
+            let s = 0.01 * -axis.dot(to_light);
+            let epsilon = 0.5 * (1.0 - a - 2.0 * z).powi(2) * s / b;
+            assert!((-ours / epsilon - 1.0).abs() < 1e-3, "{receiver}: −{ours}, not {epsilon}");
+            // Not to first order, but as the matrix has it.
+            let moved = view.clip_from_world.project_point3(receiver + to_light * 0.01).z - z;
+            assert!((moved / epsilon - 1.0).abs() < 0.01, "{receiver}: {moved}, not {epsilon}");
         }
     }
 

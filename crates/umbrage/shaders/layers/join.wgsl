@@ -1,5 +1,6 @@
 // From the first two surfaces that the light meets to the one depth that is stored. Where there is no second one, it is taken to
-// lie twice the limit behind the first.
+// lie twice the limit behind the first. Casters before the near plane are flattened onto it, both surfaces at once, and then
+// the second is not theirs: all that the view shows is in their shadow.
 
 @group(0) @binding(1) var<uniform> umbrage_joined_view: vec4u;
 @group(0) @binding(2) var umbrage_first: texture_depth_2d_array;
@@ -26,8 +27,9 @@ fn join(@builtin(position) position: vec4f) -> @builtin(frag_depth) f32 {
     let view_index = umbrage_joined_view.x;
     let layer = umbrage_frame.views[view_index].layer;
     let first = textureLoad(umbrage_first, vec2i(position.xy), layer, 0);
-    if first >= 1.0 {
-        return 1.0;
+    // Nothing is there, or a caster before the near plane.
+    if first >= 1.0 || first <= 0.0 {
+        return first;
     }
     let second = textureLoad(umbrage_second, vec2i(position.xy), layer, 0);
     let texel = position.xy - umbrage_frame.views[view_index].tile_origin;

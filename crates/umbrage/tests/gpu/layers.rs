@@ -59,3 +59,30 @@ fn surfaces_do_not_shadow_themselves_in_a_map_of_what_lies_behind_them() {
         }
     }
 }
+
+#[test]
+fn a_caster_before_the_near_plane_shadows_whatever_is_stored() {
+    // A roof of two sheets, far above all that is seen: both are flattened onto the near planes.
+    let quad = |height: f32, half: f32| {
+        let at = |x: f32, z: f32| Vec3::new(x * half, height, z * half);
+        let [a, b, c, d] = [at(-1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0), at(1.0, -1.0)];
+        [[a, b, c], [a, c, d]]
+    };
+    let floor = quad(0.0, 60.0);
+    let world = [floor, quad(32.0, 5.0), quad(30.0, 5.0)].concat();
+    let eye = camera(Vec3::new(15.0, 6.0, 21.0), Vec3::new(15.0, 0.0, 9.0)); // at the roof's shadow
+    let to_light = -LIGHT.normalize_or_zero();
+    let is_below = |query: &Query| {
+        let roof = query.position + to_light * (30.0 / to_light.y);
+        roof.x.abs().max(roof.z.abs()) < 4.8
+    };
+    let below: Vec<Query> = queries(&floor, &eye, 60_000).into_iter().filter(is_below).collect();
+    assert!(below.len() > 100, "{} receivers below the roof", below.len());
+    for layer in [Layer::First, Layer::Second, Layer::Midpoint, Layer::Dual] {
+        let settings = Settings { bias: Bias { layer, ..Bias::NONE }, ..Settings::default() };
+        let drawn = draw(device(wgpu::Backends::VULKAN), settings, &eye, &[LIGHT], &world);
+        assert!(drawn.shadows.settings().unclipped_depth, "the test adapter has unclipped depth");
+        let lit = drawn.visibility(&below).iter().filter(|answer| **answer > 0.0).count();
+        assert_eq!(lit, 0, "{layer:?}: lit below the roof, of {}", below.len());
+    }
+}
