@@ -8,6 +8,7 @@
 mod advice;
 mod args;
 mod commands;
+mod contact_sheet;
 mod failure;
 mod label;
 mod output;

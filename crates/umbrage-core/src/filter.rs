@@ -380,7 +380,7 @@ impl Filter {
                     MomentPrecision::U16 => Msm::UNORM16,
                 }
             })),
-            Self::Mssm(of) => Some(Moments::Msm(Msm { bleed: of.bleed, ..Msm::UNORM16 })),
+            Self::Mssm(of) => Some(Moments::Msm(Msm { bleed: of.bleed, ..Msm::in_steps(self.sum_steps()) })),
         }
     }
 
@@ -413,6 +413,14 @@ impl Filter {
                 None
             }
         }
+    }
+
+    /// Steps that make a moment of 1 in a summed-area table of 32-bit whole numbers: as many as let the widest box hold no
+    /// more than 2³² − 1.
+    pub fn sum_steps(&self) -> f32 {
+        // A box that cuts texels on both sides counts one more.
+        let side = f64::from(2.0 * self.reach_texels()).ceil() + 1.0;
+        (f64::from(u32::MAX) / (side * side)).floor() as f32
     }
 
     /// How far a lookup may reach from its centre, texels: a nearest lookup half a texel, a bilinear one a whole.

@@ -11,13 +11,6 @@ use crate::moments::moments_wgsl;
 use crate::prefilter::texture;
 use crate::wgsl::{DEPTH, FRAME};
 
-/// Steps of a sum that make a moment of 1: as many as let the widest box hold no more than 2³² − 1.
-pub(crate) fn sum_scale(filter: &Filter) -> f32 {
-    // A box that cuts texels on both sides counts one more.
-    let side = f64::from(2.0 * filter.reach_texels()).ceil() + 1.0;
-    (f64::from(u32::MAX) / (side * side)).floor() as f32
-}
-
 /// The format of a filter's sums, and what WGSL calls it; `None` for a filter that has none.
 fn format(filter: &Filter) -> Option<(wgpu::TextureFormat, &'static str)> {
     match filter {
@@ -50,7 +43,7 @@ impl SumMaps {
     ) -> Option<Self> {
         let (format, name) = format(filter)?;
         let moments = moments_wgsl(&filter.moments(1.0)?);
-        let scale = format!("const UMBRAGE_SUM_SCALE: f32 = {:?};\n", sum_scale(filter));
+        let scale = format!("const UMBRAGE_SUM_SCALE: f32 = {:?};\n", filter.sum_steps());
         let steps = include_str!("../shaders/prefilter/sum.wgsl");
         let text = [FRAME, DEPTH, &moments, &scale, steps].join("\n").replace("UMBRAGE_SUM_FORMAT", name);
         let layers = layout.layers.max(capabilities.least_layers);

@@ -9,7 +9,6 @@ use umbrage_core::{Disc, Filter, RASTER_STEP_TEXELS, Reference, Seed, Select, Se
 use crate::capabilities::Capabilities;
 use crate::moments::moments_wgsl;
 use crate::prefilter::MomentFormat;
-use crate::sums::sum_scale;
 
 pub(crate) const FRAME: &str = include_str!("../shaders/frame.wgsl");
 pub(crate) const DEPTH: &str = include_str!("../shaders/depth.wgsl");
@@ -250,7 +249,7 @@ fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
 /// A summed-area table of moments.
 fn summed(settings: &Settings) -> String {
     let Some(moments) = settings.filter.moments(1.0) else { return String::new() };
-    let scale = sum_scale(&settings.filter);
+    let scale = settings.filter.sum_steps();
     format!("const UMBRAGE_SUM_SCALE: f32 = {scale:?};\n")
         + &least_deviation(&settings.filter)
         + &moments_wgsl(&moments)

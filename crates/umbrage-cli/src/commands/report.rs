@@ -1,4 +1,4 @@
-//! `umbrage report`: an experiment, as a page, as figures, and as the results it is made of.
+//! `umbrage report`: an experiment, as a page, as figures, as contact sheets, and as the results it is made of.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,7 +9,7 @@ use umbrage_scene::Scene;
 
 use crate::args::ReportArgs;
 use crate::failure::{Failure, Outcome};
-use crate::{output, progress};
+use crate::{contact_sheet, output, progress};
 
 pub fn run(args: &ReportArgs) -> Outcome {
     let (experiment, scenes) = read(&args.experiment)?;
@@ -23,6 +23,7 @@ pub fn run(args: &ReportArgs) -> Outcome {
     let page = page::html(&experiment, &args.experiment.to_string_lossy(), &rows)?;
     output::write_json(&path("json"), &csv::json(&experiment, &rows)?)?;
     files::write(&path("csv"), csv::csv(&experiment, &rows).as_bytes())?;
+    contact_sheet::write(&experiment, &rows, &args.output, &name)?;
     files::write(&path("html"), page.as_bytes())?;
     eprintln!("page: {}", path("html").display());
     Ok(())

@@ -56,6 +56,13 @@ impl Msm {
     /// No two places need lie further apart; their shares are less than the inverse square.
     const FARTHEST: f32 = 1e6;
 
+    /// For moments that are rounded to steps, so many of them from 0 to 1: the centre of 16 bits, and a bias of as many steps
+    /// as there. No less than 32 bits need, since that is what the sums are turned into.
+    pub fn in_steps(steps: f32) -> Self {
+        const STEPS: f32 = 4.0; // 6e-5 of 65535
+        Self { bias: (STEPS / steps.max(1.0)).clamp(Self::F32.bias, 0.1), ..Self::UNORM16 }
+    }
+
     /// Θ: the powers, mixed so that each channel fills 0…1.
     pub(super) fn of_depth(depth: f32) -> Vec4 {
         let z = 2.0 * depth - 1.0;
@@ -164,6 +171,13 @@ mod tests {
             let got = Msm::of_depth(0.5 + 0.5 * z);
             assert!((got - Vec4::from(stored)).abs().max_element() < 1e-6, "z {z}: {got}, not {stored:?}");
         }
+    }
+
+    #[test]
+    fn the_bias_is_as_many_steps_as_in_16_bits_and_no_less_than_32_bits_need() {
+        let bias = |steps| Msm::in_steps(steps).bias;
+        assert!((bias(65535.0) / Msm::UNORM16.bias - 1.0).abs() < 0.02, "{}", bias(65535.0));
+        assert_eq!((bias(1e9), bias(0.0)), (Msm::F32.bias, 0.1));
     }
 
     #[test]

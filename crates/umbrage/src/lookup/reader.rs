@@ -8,8 +8,8 @@ use umbrage_core::kernel::{
     POISSON, gaussian, interleaved_gradient_noise, picked, poisson, two_squares, vogel, world_noise,
 };
 use umbrage_core::{
-    Disc, Filter, Moments, Msm, Pcss, Prefilter, Reference, Seed, Settings, ShadowPlan, ShadowView,
-    SoftMoments, SummedVariance,
+    Disc, Filter, Moments, Pcss, Prefilter, Reference, Seed, Settings, ShadowPlan, ShadowView, SoftMoments,
+    SummedVariance,
 };
 
 use super::{Asker, Place};
@@ -267,9 +267,8 @@ impl Reader<'_> {
         // Half a side of the square that has the area of the unit disc.
         let square = 0.5 * std::f32::consts::PI.sqrt();
         let search = self.penumbra(of.most_texels, 0.0) * square;
-        let Some((_, blocker)) = Msm::blocker(&msm, self.over(&moments, search), self.depth()) else {
-            return 1.0;
-        };
+        let blockers = msm.blocker(self.over(&moments, search), self.depth());
+        let blocker = blockers.map_or(self.depth(), |(_, depth)| depth);
         let radius = (self.penumbra(of.most_texels, blocker) * square).max(Vec2::splat(0.5));
         moments.visibility(self.over(&moments, radius), self.depth())
     }

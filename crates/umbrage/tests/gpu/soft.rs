@@ -228,3 +228,24 @@ fn penumbrae_of_moments_are_about_as_wide() {
         assert!((got / radius - 1.0).abs() < 0.15, "{height} m at {resolution}: {got}, not {radius}");
     }
 }
+
+#[test]
+fn what_moments_miss_in_a_wide_box_they_find_in_a_narrow_one() {
+    // A step in the floor, 4 m, and a small plate over it. Just beneath the plate, three depths have the moments of the
+    // search: the receiver's own, and those of the two floors. None of them is a blocker.
+    let mut world = plate(0.0, 0.0);
+    world.extend(plate(0.0, 0.0).iter().map(|corners| corners.map(|p| Vec3::new(p.x, -4.0, p.z))));
+    world.retain(|corners| corners.iter().all(|p| p.y < 0.0 || p.x <= 0.0));
+    let corner = |x: f32, z: f32| Vec3::new(0.15 * x, 2.2, 0.15 * z);
+    let [a, b, c, d] = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)];
+    world.extend([[a, b, c], [a, c, d]]);
+    // What may cast is as high as 60 m, so the search is as wide as it may be.
+    let bounds = Bounds::of_world(Vec3::new(-9.0, -4.0, -9.0), Vec3::new(9.0, 60.0, 9.0));
+    let light = LightSize { sun_degrees: 2.0, lamp_metres: 0.4 };
+    let filter = Filter::Mssm(SoftMoments { light, ..SoftMoments::default() });
+    let settings = Settings { resolution: 512, ..soft(filter) };
+    let drawn = draw_lit(device(wgpu::Backends::VULKAN), settings, &camera(6.0), &[sun()], &world, &bounds);
+    let beneath = Query { position: Vec3::new(0.0, 2.0, 0.0), _pad0: 0.0, normal: Vec3::Y, _pad1: 0.0 };
+    let visibility = drawn.visibility(&[beneath]);
+    assert!(visibility[0] < 0.05, "beneath the plate it is dark, not {visibility:?}");
+}

@@ -1,0 +1,123 @@
+//! A contact sheet of an experiment: the part of a world's picture that its page enlarges, a tile for each way.
+
+use std::path::Path;
+
+use anyhow::Context as _;
+use image::imageops::FilterType;
+use image::{DynamicImage, ExtendedColorType, RgbaImage};
+use umbrage_lab::tabulate::{Group, groups};
+use umbrage_lab::{Experiment, Row};
+
+use crate::label::Sheet;
+use crate::output;
+
+/// Tiles a row.
+const ACROSS: u32 = 6;
+/// The longer side of a tile, pixels, or somewhat less: parts are enlarged by whole numbers.
+const SIDE: u32 = 224;
+/// White around tiles.
+const GAP: u32 = 8;
+/// Room for a tile's name above it, and how tall its letters are.
+const LINE: u32 = 22;
+const LETTERS: f32 = 19.0;
+
+/// Writes a sheet for each world that is enlarged and has pictures: `NAME-WORLD.png` in a folder.
+pub fn write(experiment: &Experiment, rows: &[Row], folder: &Path, name: &str) -> anyhow::Result<()> {
+    let groups = groups(experiment, rows);
+    for (world, part) in &experiment.enlarged {
+        let tiles = groups
+            .iter()
+            .filter(|group| group.world == world)
+            .filter_map(|group| tile(experiment, group, *part).transpose())
+            .collect::<anyhow::Result<Vec<_>>>()
+            .with_context(|| format!("a stored picture of {world} cannot be read"))?;
+        if tiles.is_empty() {
+            continue;
+        }
+        let sheet = compose(&tiles)?;
+        let stem = Path::new(world).file_stem().unwrap_or_default().to_string_lossy();
+        let path = folder.join(format!("{name}-{stem}.png"));
+        output::write_png(&path, sheet.width(), sheet.height(), &sheet, ExtendedColorType::Rgba8)?;
+        eprintln!("contact sheet: {}", path.display());
+    }
+    Ok(())
+}
+
+/// A way's name and its part of the picture, as large as a tile; `None` where no picture was kept.
+fn tile(
+    experiment: &Experiment,
+    group: &Group<'_>,
+    [left, top, width, height]: [u32; 4],
+) -> anyhow::Result<Option<(String, RgbaImage)>> {
+    let Some(pictures) = group.rows.iter().find_map(|row| row.outcome.pictures.as_ref()) else {
+        return Ok(None);
+    };
+    let part = image::load_from_memory(&pictures.shaded)?.crop_imm(left, top, width, height);
+    let name = match experiment.cameras.len() {
+        1 => group.name(experiment),
+        _ => format!("{}, {}", group.name(experiment), group.camera),
+    };
+    Ok(Some((name, in_few_colours(&sized(&part)).into_rgba8())))
+}
+
+/// A picture with its pixels made large, or made small where it is larger than a tile.
+fn sized(part: &DynamicImage) -> DynamicImage {
+    let longer = part.width().max(part.height());
+    match SIDE / longer.max(1) {
+        0 => part.resize(SIDE, SIDE, FilterType::Triangle),
+        times => part.resize_exact(part.width() * times, part.height() * times, FilterType::Nearest),
+    }
+}
+
+/// 32 steps a channel: what a JPEG has added is rounded away, and a sheet is a third as large.
+fn in_few_colours(picture: &DynamicImage) -> DynamicImage {
+    const STEP: u8 = 8;
+    let mut picture = picture.to_rgb8();
+    for channel in picture.iter_mut() {
+        *channel = *channel / STEP * STEP + STEP / 2;
+    }
+    picture.into()
+}
+
+/// Tiles side by side, each under its name.
+fn compose(tiles: &[(String, RgbaImage)]) -> anyhow::Result<RgbaImage> {
+    let width = GAP + tiles.iter().map(|(_, tile)| tile.width()).max().unwrap_or(0);
+    let height = LINE + GAP + tiles.iter().map(|(_, tile)| tile.height()).max().unwrap_or(0);
+    let across = ACROSS.min(tiles.len() as u32);
+    let mut sheet = Sheet::new(GAP + across * width, GAP + (tiles.len() as u32).div_ceil(ACROSS) * height)?;
+    for ((name, tile), i) in tiles.iter().zip(0..) {
+        let (x, y) = (GAP + i % ACROSS * width, GAP + i / ACROSS * height);
+        sheet.write(name, x, y, LETTERS);
+        sheet.place(tile, x, y + LINE, tile.width(), tile.height());
+    }
+    Ok(sheet.image)
+}
+
+#[cfg(test)]
+mod tests {
+    use image::{Rgb, RgbImage};
+
+    use super::*;
+
+    #[test]
+    fn a_part_is_enlarged_by_a_whole_number_or_made_as_small_as_a_tile() {
+        let size = |width, height| {
+            let sized = sized(&RgbImage::from_pixel(width, height, Rgb([9; 3])).into());
+            (sized.width(), sized.height())
+        };
+        assert_eq!(size(112, 63), (224, 126));
+        assert_eq!(size(100, 80), (200, 160));
+        assert_eq!(size(896, 448), (224, 112));
+        assert_eq!(size(1, 500), (1, 224));
+    }
+
+    #[test]
+    fn tiles_stand_in_rows_under_their_names() {
+        let tile = |grey| (String::new(), RgbaImage::from_pixel(16, 8, image::Rgba([grey, grey, grey, 255])));
+        let tiles: Vec<_> = (0..7).map(tile).collect();
+        let sheet = compose(&tiles).expect("a sheet");
+        assert_eq!((sheet.width(), sheet.height()), (8 + 6 * 24, 8 + 2 * 38));
+        let at = |x, y| sheet.get_pixel(x, y).0[0];
+        assert_eq!((at(8 + 24, 8 + 22), at(8, 8 + 38 + 22), at(8 + 24, 8 + 38 + 22)), (1, 6, 255));
+    }
+}
