@@ -24,7 +24,7 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
     for (name, picture) in CURVES {
         report(&format!("experiments/{name}.toml"))?;
         let page = std::fs::read_to_string(root().join(FOLDER).join(format!("{name}.html")))?;
-        let plot = first_plot(&page).with_context(|| format!("the page of {name} has no plot"))?;
+        let plot = plots(&page).next().with_context(|| format!("the page of {name} has no plot"))?;
         std::fs::write(root().join("docs/pictures").join(picture), plot)?;
     }
     report(EXPERIMENT)?;
@@ -38,12 +38,12 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The first plot of a page, on white.
-fn first_plot(page: &str) -> Option<String> {
-    let start = page.find("<svg")?;
-    let plot = &page[start..start + page[start..].find("</svg>")?];
-    let (head, body) = plot.split_at(plot.find('>')? + 1);
-    Some(format!("{head}<rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}</svg>\n"))
+/// The plots of a page, each as a file of its own, on white.
+pub fn plots(page: &str) -> impl Iterator<Item = String> {
+    page.split("<svg").skip(1).filter_map(|rest| {
+        let (head, body) = rest.split_once("</svg>")?.0.split_once('>')?;
+        Some(format!("<svg{head}><rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}</svg>\n"))
+    })
 }
 
 fn page(results: &Value) -> Option<String> {
