@@ -79,7 +79,8 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
          Written by `cargo xtask results`; do not edit.\n\n\
          Machine: {}.\nAdapter: {adapter}.\nCommit: {commit}.\nPictures of {SIZE} pixels, one sample a pixel, {frames} frames along each world's path after 5 uncounted.\n\
          Shadows: the preset `default`, {} bytes of maps for a sun.\nPasses are timed by {clock}, frames by the wall clock.\n\
-         Medians, with the 5th and 95th percentile in brackets.\n",
+         Medians, with the 5th and 95th percentile in brackets.\n\
+         What each filter costs is in [filters](filters.md).\n",
         machine(),
         first["bytes"]
     );
