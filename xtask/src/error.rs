@@ -40,9 +40,11 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
 
 /// The plots of a page, each as a file of its own, on white.
 pub fn plots(page: &str) -> impl Iterator<Item = String> {
-    page.split("<svg").skip(1).filter_map(|rest| {
+    // Marks of legends are drawings too, without a role.
+    const START: &str = "<svg role=\"img\"";
+    page.split(START).skip(1).filter_map(|rest| {
         let (head, body) = rest.split_once("</svg>")?.0.split_once('>')?;
-        Some(format!("<svg{head}><rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}</svg>\n"))
+        Some(format!("{START}{head}><rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}</svg>\n"))
     })
 }
 
@@ -111,4 +113,18 @@ fn by_way(rows: &[Value]) -> Option<Vec<(&str, Vec<&Value>)>> {
         ways.entry(way).or_default().push(&row["measurement"]);
     }
     order.into_iter().map(|way| Some((way, ways.remove(way)?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plots;
+
+    #[test]
+    fn the_plots_of_a_page_are_those_with_a_role_and_not_the_marks_of_legends() {
+        let page = "<figure><svg role=\"img\" width=\"9\"><g/></svg><p><svg><i/></svg></p></figure><svg role=\"img\">2</svg>";
+        let plots: Vec<String> = plots(page).collect();
+        assert_eq!(plots.len(), 2);
+        let white = "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>";
+        assert_eq!(plots[0], format!("<svg role=\"img\" width=\"9\">{white}<g/></svg>\n"));
+    }
 }

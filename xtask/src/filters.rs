@@ -1,4 +1,4 @@
-//! `docs/filters.md`: what every filter is good for, costs and gets wrong, from two experiments of `umbrage report`.
+//! `docs/filters.md`: what every filter is good for, costs and gets wrong, from three experiments of `umbrage report`.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,6 +11,7 @@ use crate::command::{machine, root, umbrage};
 use crate::error::plots;
 
 const STILL: &str = "filters";
+const ENGINES: &str = "engines";
 const MOVING: &str = "filters-shimmer";
 const FOLDER: &str = "target/report";
 
@@ -31,7 +32,7 @@ const SHEET: &str = "filters-knights.png";
 /// Runs the experiments, unless `pages` is a folder that has their pages already, and writes the document.
 pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
     if pages.is_none() {
-        for name in [STILL, MOVING] {
+        for name in [STILL, ENGINES, MOVING] {
             let experiment = format!("experiments/{name}.toml");
             let mut args = vec!["report", &experiment, "-o", FOLDER];
             args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
@@ -43,19 +44,20 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
         std::fs::read_to_string(folder.join(&file))
             .with_context(|| format!("no {file} in {}", folder.display()))
     };
-    let [still, moving] = [STILL, MOVING]
-        .map(|name| anyhow::Ok((read(format!("{name}.html"))?, read(format!("{name}.json"))?)));
-    let ((page, still), (moving_page, moving)) = (still?, moving?);
+    let results = |name: &str| anyhow::Ok(serde_json::from_str::<Value>(&read(format!("{name}.json"))?)?);
+    let mut text = document(&results(STILL)?, &results(ENGINES)?, &results(MOVING)?)
+        .context("a key is missing in the results of the experiments")?;
+    text += "\n## Claims\n";
+    for name in [STILL, ENGINES, MOVING] {
+        let page = read(format!("{name}.html"))?;
+        text += &claims::said(&page).with_context(|| format!("the page of {name} lacks a claim"))?;
+    }
     let pictures = root().join("docs/pictures");
-    for ((file, _), plot) in PLOTS.iter().zip(plots(&page)) {
+    for ((file, _), plot) in PLOTS.iter().zip(plots(&read(format!("{STILL}.html"))?)) {
         std::fs::write(pictures.join(file), plot)?;
     }
     std::fs::copy(folder.join(SHEET), pictures.join("filters.png"))
         .with_context(|| format!("no {SHEET} in {}", folder.display()))?;
-    let text = document(&serde_json::from_str(&still)?, &serde_json::from_str(&moving)?)
-        .context("a key is missing in the results of the experiments")?;
-    let said = |page| claims::said(page).context("the page of an experiment lacks a claim");
-    let text = text + "\n## Claims\n" + &said(&page)? + &said(&moving_page)?;
     let path = root().join("docs/filters.md");
     let draft = path.with_extension("md.new");
     std::fs::write(&draft, text)?;
@@ -63,7 +65,7 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
     Ok(())
 }
 
-fn document(still: &Value, moving: &Value) -> Option<String> {
+fn document(still: &Value, engines: &Value, moving: &Value) -> Option<String> {
     let rows = still["rows"].as_array()?;
     let first = rows.first()?;
     let adapter = first["machine"]["adapter"].as_str()?;
@@ -71,7 +73,7 @@ fn document(still: &Value, moving: &Value) -> Option<String> {
     let mut text = format!(
         "# What each filter is good for\n\n\
          Written by `cargo xtask filters`; do not edit. `umbrage report experiments/{STILL}.toml -o DIR` makes the page with all pictures.\n\n\
-         Machine: {}.\nAdapter: {adapter}.\nCommit: {}.\nPictures of {width} x {height} pixels, four maps of 1024² but for the engines' presets.\n",
+         Machine: {}.\nAdapter: {adapter}.\nCommit: {}.\nPictures of {width} x {height} pixels, four maps of 1024².\n",
         machine(),
         first["machine"]["commit"].as_str()?,
     );
@@ -90,18 +92,27 @@ fn document(still: &Value, moving: &Value) -> Option<String> {
     text += "\n## World by world\n\n\
              Root mean square errors of visibility, 0 to 1: against the mean over each pixel, a sun of 0.53°, and one of 5°. \
              Light in umbrae, false shadow and false light are per cent. \
-             Times are milliseconds, medians with the 5th and 95th percentile in brackets. \
-             Shadows that end somewhere are judged so far: fewer pixels.\n";
-    let experiment = &still["experiment"];
-    for world in experiment["worlds"].as_array()? {
+             Times are milliseconds, medians with the 5th and 95th percentile in brackets.\n";
+    text += &world_by_world(still)?;
+    text += "\n## The defaults of engines\n\n\
+             Their maps have up to four times the texels, and most of their shadows end at 100 to 250 m. \
+             They are judged so far, which is fewer pixels: rows with different pixels do not compare.\n";
+    text += &world_by_world(engines)?;
+    text += &trembling(moving)?;
+    Some(text)
+}
+
+/// A table for each world.
+fn world_by_world(results: &Value) -> Option<String> {
+    let mut text = String::new();
+    for world in results["experiment"]["worlds"].as_array()? {
         let _ = write!(text, "\n### {}\n\n", world.as_str()?);
         text += "| way | pixel | sun | wide sun | umbrae, sun | umbrae, wide sun | false shadow | false light | filter | shading | frame | MiB | pixels |\n\
                  |---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-        for row in rows.iter().filter(|row| row["cell"]["world"] == *world) {
+        for row in results["rows"].as_array()?.iter().filter(|row| row["cell"]["world"] == *world) {
             text += &line(row)?;
         }
     }
-    text += &trembling(moving)?;
     Some(text)
 }
 
@@ -207,7 +218,7 @@ mod tests {
 
     #[test]
     fn a_way_has_a_line_in_each_world_and_one_of_its_worst_trembling() {
-        let text = document(&still(), &moving()).expect("a document");
+        let text = document(&still(), &still(), &moving()).expect("a document");
         for line in [
             "| hard | 0.0625 | 0.0625 | none | 1.50 | none | 1.00 | 2.00 | 0 | 30 (20 to 41) | 30 (20 to 41) | 16 | 99 |",
             "| hard | 2.000 | 2.000 | 2.000 | 2.000 | 1.000 | 1.000 | 1.000 | 1.000 |",
@@ -221,6 +232,6 @@ mod tests {
     fn a_result_without_times_is_no_document() {
         let mut still = still();
         still["rows"][0]["measurement"]["milliseconds"] = Value::Null;
-        assert_eq!(document(&still, &moving()), None);
+        assert_eq!(document(&still, &still, &moving()), None);
     }
 }
