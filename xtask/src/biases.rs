@@ -10,7 +10,7 @@ use anyhow::Context as _;
 use serde_json::Value;
 
 use crate::command::{root, umbrage};
-use crate::error::first_plot;
+use crate::error::plots;
 
 const EXPERIMENT: &str = "experiments/bias-roc.toml";
 const FOLDER: &str = "target/report";
@@ -44,7 +44,8 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
         std::fs::read_to_string(folder.join(name))
             .with_context(|| format!("no {name} in {}", folder.display()))
     };
-    let plot = first_plot(&read("bias-roc.html")?).context("the page of bias-roc has no plot")?;
+    let curves = read("bias-roc.html")?;
+    let plot = plots(&curves).next().context("the page of bias-roc has no plot")?;
     std::fs::write(root().join("docs/pictures/bias-roc.svg"), plot)?;
     let results: Value = serde_json::from_str(&read("bias-roc.json")?)?;
     let page = page(&results).context("a key is missing in the results of the experiment")?;

@@ -48,17 +48,23 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
 fn chapter(name: &str, found: &str, page: &str) -> Option<String> {
     let title = plain(between(page, "<h1>", "</h1>")?);
     let mut text = format!("\n## {title}\n\n`experiments/{name}.toml`\n\n{}\n", found.trim());
-    let claims = section(page, "claims")?;
-    for article in claims.split("<article").skip(1) {
+    text += &said(page)?;
+    text += "\n### Figures\n\n";
+    text += &table(section(page, "table")?);
+    text += "\n### Made with\n\n";
+    text += &table(section(page, "machines")?);
+    Some(text)
+}
+
+/// The claims of a page, each with whether it holds and the table of its figures.
+pub fn said(page: &str) -> Option<String> {
+    let mut text = String::new();
+    for article in section(page, "claims")?.split("<article").skip(1) {
         let heading = between(article, "<h3>", "</h3>")?;
         let (badge, says) = heading.split_once("</span>")?;
         let _ = write!(text, "\n**{}** — {}\n\n", plain(says), plain(badge));
         text += &table(article);
     }
-    text += "\n### Figures\n\n";
-    text += &table(section(page, "table")?);
-    text += "\n### Made with\n\n";
-    text += &table(section(page, "machines")?);
     Some(text)
 }
 

@@ -1,4 +1,4 @@
-//! Other programs, run from the repository's root.
+//! Other programs, run from the repository's root, and the machine that they run on.
 
 use std::path::Path;
 use std::process::Command;
@@ -23,4 +23,13 @@ pub fn run(program: &str, args: &[&str]) -> anyhow::Result<String> {
 /// Runs the release build of `umbrage`.
 pub fn umbrage(args: &[&str]) -> anyhow::Result<String> {
     run("cargo", &[&["run", "--release", "--quiet", "-p", "umbrage-cli", "--"], args].concat())
+}
+
+/// Processor, cores and system.
+pub fn machine() -> String {
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = information.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    let model = model.map_or(std::env::consts::ARCH, |(_, model)| model.trim());
+    format!("{model}, {cores} cores, {}", std::env::consts::OS)
 }

@@ -23,7 +23,7 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
     };
     report(&format!("experiments/{CURVE}.toml"))?;
     let page_of_curve = std::fs::read_to_string(root().join(FOLDER).join(format!("{CURVE}.html")))?;
-    let plot = first_plot(&page_of_curve).with_context(|| format!("the page of {CURVE} has no plot"))?;
+    let plot = plots(&page_of_curve).next().with_context(|| format!("the page of {CURVE} has no plot"))?;
     std::fs::write(root().join("docs/pictures/lambda.svg"), plot)?;
     report(EXPERIMENT)?;
     let text = std::fs::read_to_string(root().join(FOLDER).join("default.json"))?;
@@ -36,12 +36,14 @@ pub fn write(adapter: Option<&str>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The first plot of a page, on white.
-pub fn first_plot(page: &str) -> Option<String> {
-    let start = page.find("<svg")?;
-    let plot = &page[start..start + page[start..].find("</svg>")?];
-    let (head, body) = plot.split_at(plot.find('>')? + 1);
-    Some(format!("{head}<rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}</svg>\n"))
+/// The plots of a page, each as a file of its own, on white.
+pub fn plots(page: &str) -> impl Iterator<Item = String> {
+    // Marks of legends are drawings too, without a role.
+    const START: &str = "<svg role=\"img\"";
+    page.split(START).skip(1).filter_map(|rest| {
+        let (head, body) = rest.split_once("</svg>")?.0.split_once('>')?;
+        Some(format!("{START}{head}><rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}</svg>\n"))
+    })
 }
 
 fn page(results: &Value) -> Option<String> {
@@ -109,4 +111,18 @@ fn by_way(rows: &[Value]) -> Option<Vec<(&str, Vec<&Value>)>> {
         ways.entry(way).or_default().push(&row["measurement"]);
     }
     order.into_iter().map(|way| Some((way, ways.remove(way)?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plots;
+
+    #[test]
+    fn the_plots_of_a_page_are_those_with_a_role_and_not_the_marks_of_legends() {
+        let page = "<figure><svg role=\"img\" width=\"9\"><g/></svg><p><svg><i/></svg></p></figure><svg role=\"img\">2</svg>";
+        let plots: Vec<String> = plots(page).collect();
+        assert_eq!(plots.len(), 2);
+        let white = "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>";
+        assert_eq!(plots[0], format!("<svg role=\"img\" width=\"9\">{white}<g/></svg>\n"));
+    }
 }

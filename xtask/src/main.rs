@@ -1,6 +1,7 @@
 //! Repository chores: `cargo xtask results` times every world into `docs/results.md`, `cargo xtask error` measures how
 //! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
-//! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask pictures` draws the
+//! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask filters` compares every
+//! filter in `docs/filters.md`, `cargo xtask pictures` draws the
 //! pictures of the documents.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage` and reads its JSON.
@@ -9,6 +10,7 @@ mod biases;
 mod claims;
 mod command;
 mod error;
+mod filters;
 mod pictures;
 mod results;
 
@@ -60,6 +62,15 @@ enum Chore {
         #[arg(long, value_name = "DIR")]
         pages: Option<std::path::PathBuf>,
     },
+    /// Compares every filter, in docs/filters.md
+    Filters {
+        /// Part of the name of the adapter to draw on
+        #[arg(long)]
+        adapter: Option<String>,
+        /// A folder with the pages of `umbrage report`, where they are made already
+        #[arg(long, value_name = "DIR")]
+        pages: Option<std::path::PathBuf>,
+    },
     /// Draws the pictures of the documents
     Pictures,
 }
@@ -71,6 +82,7 @@ fn main() -> anyhow::Result<()> {
         Chore::Error { adapter } => error::write(adapter.as_deref()),
         Chore::Biases { adapter, pages } => biases::write(adapter.as_deref(), pages.as_deref()),
         Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
+        Chore::Filters { adapter, pages } => filters::write(adapter.as_deref(), pages.as_deref()),
         Chore::Pictures => pictures::draw(),
     }
 }

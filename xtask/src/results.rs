@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use anyhow::Context as _;
 use serde_json::Value;
 
-use crate::command::{root, run, umbrage};
+use crate::command::{machine, root, run, umbrage};
 
 const WORLDS: &[&str] = &[
     "primitives",
@@ -79,7 +79,8 @@ fn page(worlds: &[Value], large: &[(&str, Value)], commit: &str) -> Option<Strin
          Written by `cargo xtask results`; do not edit.\n\n\
          Machine: {}.\nAdapter: {adapter}.\nCommit: {commit}.\nPictures of {SIZE} pixels, one sample a pixel, {frames} frames along each world's path after 5 uncounted.\n\
          Shadows: the preset `default`, {} bytes of maps for a sun.\nPasses are timed by {clock}, frames by the wall clock.\n\
-         Medians, with the 5th and 95th percentile in brackets.\n",
+         Medians, with the 5th and 95th percentile in brackets.\n\
+         What each filter costs is in [filters](filters.md).\n",
         machine(),
         first["bytes"]
     );
@@ -162,15 +163,6 @@ fn microseconds(estimates: &Value) -> Option<String> {
     let median = &estimates["median"];
     let [low, high] = ["lower_bound", "upper_bound"].map(|end| median["confidence_interval"][end].as_f64());
     Some(format!("{:.1} ({:.1} to {:.1})", median["point_estimate"].as_f64()? / 1e3, low? / 1e3, high? / 1e3))
-}
-
-/// Processor, cores and system.
-fn machine() -> String {
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = information.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
-    let model = model.map_or(std::env::consts::ARCH, |(_, model)| model.trim());
-    format!("{model}, {cores} cores, {}", std::env::consts::OS)
 }
 
 fn median(spread: &Value) -> Option<f64> {

@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use anyhow::Context as _;
+use image::codecs::png::{CompressionType, FilterType as PngFilterType, PngEncoder};
 use image::imageops::FilterType;
-use image::{DynamicImage, ExtendedColorType, RgbaImage};
+use image::{DynamicImage, RgbaImage};
 use umbrage_lab::tabulate::{Group, groups};
-use umbrage_lab::{Experiment, Row};
+use umbrage_lab::{Experiment, Row, files};
 
 use crate::label::Sheet;
-use crate::output;
 
 /// Tiles a row.
 const ACROSS: u32 = 6;
@@ -37,7 +37,10 @@ pub fn write(experiment: &Experiment, rows: &[Row], folder: &Path, name: &str) -
         let sheet = compose(&tiles)?;
         let stem = Path::new(world).file_stem().unwrap_or_default().to_string_lossy();
         let path = folder.join(format!("{name}-{stem}.png"));
-        output::write_png(&path, sheet.width(), sheet.height(), &sheet, ExtendedColorType::Rgba8)?;
+        let mut png = Vec::new();
+        let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Best, PngFilterType::NoFilter);
+        DynamicImage::from(sheet).into_rgb8().write_with_encoder(encoder)?;
+        files::write(&path, &png)?;
         eprintln!("contact sheet: {}", path.display());
     }
     Ok(())
@@ -69,9 +72,9 @@ fn sized(part: &DynamicImage) -> DynamicImage {
     }
 }
 
-/// 32 steps a channel: what a JPEG has added is rounded away, and a sheet is a third as large.
+/// 64 steps a channel: what a JPEG has added is rounded away, and a sheet is half as large.
 fn in_few_colours(picture: &DynamicImage) -> DynamicImage {
-    const STEP: u8 = 8;
+    const STEP: u8 = 4;
     let mut picture = picture.to_rgb8();
     for channel in picture.iter_mut() {
         *channel = *channel / STEP * STEP + STEP / 2;

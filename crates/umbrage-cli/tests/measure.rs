@@ -126,10 +126,15 @@ than = "coarse"
 fn a_report_that_was_cut_off_gives_the_same_page_as_one_that_ran_through() {
     let folder = tempfile::tempdir().expect("a folder");
     let experiment = folder.path().join("small.toml");
-    std::fs::write(&experiment, EXPERIMENT).expect("written");
+    let enlarged = "[enlarged]\nprimitives = [20, 10, 40, 30]\n\n[[ways]]\nname = \"coarse\"";
+    let text_of_experiment = EXPERIMENT.replace("[[ways]]\nname = \"coarse\"", enlarged);
+    std::fs::write(&experiment, text_of_experiment).expect("written");
     let report = |name: &str| {
         let out = folder.path().join(name);
         stdout(&["report", text(&experiment), "-o", text(&out)]);
+        let sheet = image::open(out.join("small-primitives.png")).expect("a contact sheet");
+        // Two ways from two cameras, 40 x 30 pixels five times as large.
+        assert_eq!((sheet.width(), sheet.height()), (8 + 4 * 208, 8 + 180));
         ["html", "json", "csv"].map(|extension| {
             std::fs::read_to_string(out.join(format!("small.{extension}"))).expect("written")
         })

@@ -5,8 +5,8 @@
 //! The papers' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have
 //! the same bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
 
-use crate::filter::{Disc, Filter};
-use crate::settings::{Bias, DepthFormat, Fit, Scheme, Select, Settings, Storage, Warp};
+use crate::filter::{Disc, Filter, Footprint, Pcss};
+use crate::settings::{Bias, CasterFaces, DepthFormat, Fit, Scheme, Select, Settings, Storage, Warp};
 
 /// Settings with a name and a source.
 #[derive(Clone, Copy, Debug)]
@@ -30,8 +30,89 @@ impl Preset {
 pub const PRESETS: &[Preset] = &[
     Preset {
         name: "default",
-        source: "this project: four splits of 1024², the least error over its worlds",
+        source: "this project: four maps in 16 MiB, a bell of 3 × 3 lookups",
         settings: Settings::default,
+    },
+    Preset {
+        name: "default-4mib",
+        source: "this project: the same in 4 MiB",
+        settings: || sized(512, Settings::default()),
+    },
+    Preset {
+        name: "default-64mib",
+        source: "this project: the same in 64 MiB",
+        settings: || sized(2048, Settings::default()),
+    },
+    Preset {
+        name: "fast",
+        source: "this project: three maps within 16 MiB, one lookup of the sampler's size",
+        settings: || sized(1024, fast()),
+    },
+    Preset {
+        name: "fast-4mib",
+        source: "this project: the same within 4 MiB",
+        settings: || sized(512, fast()),
+    },
+    Preset {
+        name: "fast-64mib",
+        source: "this project: the same within 64 MiB",
+        settings: || sized(2048, fast()),
+    },
+    Preset {
+        name: "best",
+        source: "this project: four maps in 16 MiB, all that the pixel covers, the least error against its area",
+        settings: || sized(1024, best()),
+    },
+    Preset { name: "best-4mib", source: "this project: the same in 4 MiB", settings: || sized(512, best()) },
+    Preset {
+        name: "best-64mib",
+        source: "this project: the same in 64 MiB",
+        settings: || sized(2048, best()),
+    },
+    Preset {
+        name: "soft",
+        source: "this project: penumbrae of a sun of 0.53°, four maps in 16 MiB, 16 points",
+        settings: || sized(1024, soft(16, 16)),
+    },
+    Preset {
+        name: "soft-4mib",
+        source: "this project: the same in 4 MiB",
+        settings: || sized(512, soft(16, 16)),
+    },
+    Preset {
+        name: "soft-64mib",
+        source: "this project: the same in 64 MiB",
+        settings: || sized(2048, soft(16, 16)),
+    },
+    Preset {
+        name: "soft-fast",
+        source: "this project: penumbrae of a sun of 0.53°, three maps within 16 MiB, 8 points",
+        settings: || sized(1024, Settings { splits: 3, ..soft(8, 8) }),
+    },
+    Preset {
+        name: "soft-fast-4mib",
+        source: "this project: the same within 4 MiB",
+        settings: || sized(512, Settings { splits: 3, ..soft(8, 8) }),
+    },
+    Preset {
+        name: "soft-fast-64mib",
+        source: "this project: the same within 64 MiB",
+        settings: || sized(2048, Settings { splits: 3, ..soft(8, 8) }),
+    },
+    Preset {
+        name: "soft-best",
+        source: "this project: penumbrae of a sun of 0.53°, four maps in 16 MiB, 64 points",
+        settings: || sized(1024, soft(32, 64)),
+    },
+    Preset {
+        name: "soft-best-4mib",
+        source: "this project: the same in 4 MiB",
+        settings: || sized(512, soft(32, 64)),
+    },
+    Preset {
+        name: "soft-best-64mib",
+        source: "this project: the same in 64 MiB",
+        settings: || sized(2048, soft(32, 64)),
     },
     Preset {
         name: "ferko-sm-1024",
@@ -138,12 +219,13 @@ pub const PRESETS: &[Preset] = &[
     },
     Preset {
         name: "three",
-        source: "three.js r185 with its CSM addon: three stable maps of 2048², λ = 0.5, five points turned by noise, next to no bias",
+        source: "three.js r185 with its CSM addon: three stable maps of 2048², λ = 0.5, five points turned by noise, back faces cast",
         settings: || Settings {
             splits: 3,
             lambda: 0.5,
             resolution: 2048,
             filter: Filter::Vogel(Disc { taps: 5, radius_texels: 1.0, ..Disc::default() }),
+            bias: Bias { casters: CasterFaces::Back, ..Bias::NONE },
             ..peer()
         },
     },
@@ -164,6 +246,28 @@ pub const PRESETS: &[Preset] = &[
         },
     },
 ];
+
+/// Maps of so many texels a side; a soft filter reaches over a 32nd of them.
+fn sized(resolution: u32, settings: Settings) -> Settings {
+    let filter = match settings.filter {
+        Filter::Pcss(pcss) => Filter::Pcss(Pcss { most_texels: resolution as f32 / 32.0, ..pcss }),
+        other => other,
+    };
+    Settings { resolution, filter, ..settings }
+}
+
+fn fast() -> Settings {
+    Settings { splits: 3, filter: Filter::Bilinear {}, ..Settings::default() }
+}
+
+fn best() -> Settings {
+    Settings { filter: Filter::Footprint(Footprint::default()), ..Settings::default() }
+}
+
+/// The sun's own size, and so many points to search and to compare.
+fn soft(blockers: u32, taps: u32) -> Settings {
+    Settings { filter: Filter::Pcss(Pcss { blockers, taps, ..Pcss::default() }), ..Settings::default() }
+}
 
 /// The tutorial: its biases are 0.005 and 0.01 of a depth range of 30 m, here in texels of its map.
 fn tutorial() -> Settings {
@@ -200,7 +304,7 @@ fn source() -> Settings {
     Settings {
         select: Select::Depth,
         filter: Filter::Hard {},
-        bias: Bias { normal: 1.0, receiver_plane: false, ..Bias::default() },
+        bias: Bias { normal: 1.0, constant: 0.002, ..Bias::NONE },
         ..Settings::default()
     }
 }
@@ -225,6 +329,21 @@ mod tests {
                 [splits, resolution] => assert_eq!(maps, (splits, resolution), "{}", preset.name),
                 _ => panic!("{} should name its maps", preset.name),
             }
+        }
+    }
+
+    #[test]
+    fn our_own_stay_within_the_memory_that_their_names_say() {
+        let ours = PRESETS.iter().filter(|preset| preset.source.starts_with("this project"));
+        assert_eq!(ours.clone().count(), 18, "three for hard light and three for soft, in three sizes");
+        for preset in ours {
+            let mib = match preset.name.rsplit_once('-') {
+                Some((_, "4mib")) => 4,
+                Some((_, "64mib")) => 64,
+                _ => 16,
+            };
+            let bytes = MapLayout::of_sun(&(preset.settings)()).bytes();
+            assert!(bytes <= mib << 20 && bytes > mib << 19, "{}: {bytes} bytes", preset.name);
         }
     }
 

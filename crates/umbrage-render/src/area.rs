@@ -111,7 +111,7 @@ impl Renderer<'_> {
             let moved = Frame {
                 lamps: vec![Lamp { light: area.moved(&lamp.light, sample)?, ..lamp }],
                 show: Show::Visibility(0),
-                camera: frame.camera.clone(),
+                camera: frame.camera,
                 ..*frame
             };
             times += self.render(&moved)?.times;

@@ -2,7 +2,7 @@
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{Light, LightSize, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan};
+use umbrage_core::{Light, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan};
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct GpuView {
@@ -121,7 +121,7 @@ fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) ->
         first_view: views.next().map_or(0, |view| view.index as u32),
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
         is_cube: u32::from(matches!(light.rays, Rays::Point { .. })),
-        size: light.half_size(settings.filter.light_size().unwrap_or(LightSize::default())),
+        size: light.half_size(settings.filter.light_size().unwrap_or_default()),
     }
 }
 

@@ -78,7 +78,7 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
     } else {
         include_str!("../shaders/tap/four.wgsl")
     };
-    let texts = match &settings.filter {
+    match &settings.filter {
         Filter::Hard {} => vec![fixed_reach(settings), text(include_str!("../shaders/filter/hard.wgsl"))],
         Filter::Bilinear {} => {
             kernel(settings, 1, tap, include_str!("../shaders/filter/bilinear.wgsl"), BOX_KERNEL)
@@ -138,8 +138,7 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
             ];
             [fixed_reach(settings), numbers, summed(settings)].into_iter().chain(files.map(text)).collect()
         }
-    };
-    texts
+    }
 }
 
 const BOX_KERNEL: &str = include_str!("../shaders/kernel/box.wgsl");
