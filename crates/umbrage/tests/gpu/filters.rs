@@ -46,7 +46,7 @@ fn differences(settings: &Settings, tolerance: f32) -> (f64, f32) {
             count += 1;
         }
     }
-    assert!(partly > count / 50, "{partly} of {count} are neither lit nor shadowed");
+    assert!(partly > count / 100, "{partly} of {count} are neither lit nor shadowed");
     (differ as f64 / count as f64, largest)
 }
 
