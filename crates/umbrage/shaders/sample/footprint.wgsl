@@ -6,7 +6,16 @@
 fn umbrage_moments_at(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> vec4f {
     let uv = umbrage_moments_uv(lookup);
     let layer = umbrage_frame.views[lookup.view_index].layer;
-    let footprint = umbrage_footprint(lookup, receiver);
     let size = umbrage_frame.map_size;
-    return textureSampleGrad(umbrage_moments, umbrage_smooth, uv, layer, footprint[0] / size, footprint[1] / size);
+    // A long footprint is several lookups along it, or an ellipse: none may lie over the side of the tile, where another
+    // view begins.
+    let tile_size = umbrage_frame.views[lookup.view_index].tile_size;
+    let place = uv * size - umbrage_frame.views[lookup.view_index].tile_origin;
+    let room = max(min(place, tile_size - place) - UMBRAGE_MOMENTS_INSET, vec2f(0.0));
+    let footprint = umbrage_footprint(lookup, receiver);
+    let reach = max(abs(footprint[0]) + abs(footprint[1]), vec2f(1e-6));
+    let share = min(min(room.x / reach.x, room.y / reach.y), 1.0);
+    let right = footprint[0] * share / size;
+    let up = footprint[1] * share / size;
+    return textureSampleGrad(umbrage_moments, umbrage_smooth, uv, layer, right, up);
 }

@@ -177,6 +177,62 @@ fn a_device_with_fewer_formats_draws_the_same() {
 }
 
 #[test]
+fn no_filter_reads_over_the_sides_of_its_tile() {
+    // Whatever lies beside a tile of an atlas is another view. Along all four sides, places give what they give in an array,
+    // where there is nothing beside.
+    let camera = camera(Vec3::new(-30.0, 9.0, 38.0), Vec3::new(4.0, 0.0, -6.0));
+    let world = world();
+    let blurred = Prefilter { blur_texels: 6, ..Prefilter::default() };
+    // Without anisotropy: lavapipe's lookups along a footprint differ by the size of the texture, even where it is a point.
+    let sizes = Prefilter { levels: 3, ..blurred };
+    let filters = [
+        Filter::Pcf { size: 9 },
+        Filter::Vogel(Disc { radius_texels: 6.0, ..Disc::default() }),
+        Filter::Pcss(Pcss {
+            light: LightSize { sun_degrees: 20.0, ..LightSize::default() },
+            ..Pcss::default()
+        }),
+        Filter::Evsm4(ExponentialVariance { prefilter: blurred, ..ExponentialVariance::default() }),
+        Filter::Esm(Exponential { prefilter: sizes, ..Exponential::default() }),
+        Filter::Savsm(SummedVariance {
+            radius_texels: 6.0,
+            least_deviation: 0.1,
+            ..SummedVariance::default()
+        }),
+    ];
+    for filter in filters {
+        let answers = [Storage::Array, Storage::Atlas].map(|storage| {
+            let settings = Settings { storage, splits: 4, ..with(filter) };
+            let drawn = draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world);
+            let maps = drawn.maps();
+            let rim = |view: &umbrage::ShadowView| -> Vec<Place> {
+                let size = view.tile.size as f32;
+                (0..400)
+                    .map(|i| {
+                        let (along, across) = (size * (i / 4) as f32 / 100.0, 0.3 + (i % 7) as f32);
+                        let texel = [
+                            Vec2::new(along, across),
+                            Vec2::new(across, along),
+                            Vec2::new(along, size - across),
+                            Vec2::new(size - across, along),
+                        ][i % 4];
+                        let centre = texel.as_i64vec2();
+                        let reference =
+                            (maps.depth(view.tile, centre.x, centre.y) + 0.01 * (i % 3) as f32).min(0.999);
+                        Place { texel, reference, gradient: Vec2::ZERO, texel_metres: Vec2::splat(0.1) }
+                    })
+                    .collect()
+            };
+            let views = drawn.plan.views();
+            views.iter().flat_map(|view| drawn.filter(view.index as u32, &rim(view))).collect::<Vec<f32>>()
+        });
+        let differ = answers[0].iter().zip(&answers[1]).filter(|(a, b)| (**a - **b).abs() > 0.02).count();
+        println!("{filter:?}: {differ} of {} places along the sides differ", answers[0].len());
+        assert!(differ * 200 <= answers[0].len(), "{filter:?}: {differ} of {} differ", answers[0].len());
+    }
+}
+
+#[test]
 fn gl_refuses_by_name_what_needs_depths_as_numbers() {
     let (device, _) = device(wgpu::Backends::GL);
     for filter in [Filter::Pcss(Pcss::default()), Filter::Msm(FourMoments::default())] {

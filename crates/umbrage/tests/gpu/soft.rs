@@ -188,11 +188,24 @@ fn lamps_have_penumbrae_of_their_own_size() {
 
 #[test]
 fn blockers_before_the_near_plane_keep_their_distance() {
-    // Flattened onto the near plane, the plate would seem as near as the top of what the camera sees.
-    let settings = Settings { fit: Fit::View, ..soft(Filter::Pcss(pcss(6.0))) };
+    // Objects are what receivers are fitted to: the floor alone, so that the near plane lies just above it. Flattened onto
+    // that, the plate would seem to lie there, and cast a narrow penumbra.
+    let (height, degrees) = (6.0, 6.0);
+    let floor = Aabb { min: Vec3::new(-9.0, 0.0, -9.0), max: Vec3::new(9.0, 0.0, 9.0) };
+    let plate_box = Aabb { min: Vec3::new(-9.0, height, -9.0), max: Vec3::new(0.0, height, 9.0) };
+    let bounds = Bounds { world: floor.union(plate_box), objects: vec![floor, plate_box] };
+    // Without the receiver's plane, which would want room before the floor.
+    let bias = Bias { receiver_plane: false, ..Bias::default() };
+    let filter = Filter::Pcss(Pcss { most_texels: 120.0, ..pcss(degrees) });
+    let settings = Settings { bias, resolution: 512, ..soft(filter) };
     assert!(settings.unclipped_depth, "flattening is on for other filters");
-    let radius = expected(6.0, 6.0);
-    let got = measured(&settings, sun(), (6.0, 0.0), 2.5 * radius as f32, 0.0, 1.0);
+    let radius = expected(height, degrees);
+    let reach = 2.5 * radius as f32;
+    let device = device(wgpu::Backends::VULKAN);
+    let drawn = draw_lit(device, settings, &camera(3.0), &[sun()], &plate(height, 0.0), &bounds);
+    let view = &drawn.plan.views()[0];
+    println!("the map begins {} m before what it ends at", view.depth_metres);
+    let got = radius_of(&drawn.visibility(&across(0.0, reach, 0.0)), reach, 0.0);
     assert!((got / radius - 1.0).abs() < 0.05, "{got}, not {radius}");
 }
 
