@@ -11,7 +11,7 @@ use crate::command::{machine, root, umbrage};
 use crate::error::plots;
 
 const STILL: &str = "filters";
-const ENGINES: &str = "engines";
+const PRESETS: &str = "presets";
 const MOVING: &str = "filters-shimmer";
 const FOLDER: &str = "target/report";
 
@@ -26,13 +26,21 @@ const PLOTS: [(&str, &str); 4] = [
     ("filters-sun-memory.svg", "The same by memory."),
 ];
 
+/// The plots of the presets.
+const PRESET_PLOTS: [(&str, &str); 4] = [
+    ("presets-pixel-time.svg", "Presets: error against each pixel's mean, by the time of a frame."),
+    ("presets-sun-time.svg", "Presets: error against our sun, by the time of a frame."),
+    ("presets-pixel-memory.svg", "Presets: error against each pixel's mean, by memory."),
+    ("presets-sun-memory.svg", "Presets: error against our sun, by memory."),
+];
+
 /// The contact sheet, as `umbrage report` calls it.
 const SHEET: &str = "filters-knights.png";
 
 /// Runs the experiments, unless `pages` is a folder that has their pages already, and writes the document.
 pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
     if pages.is_none() {
-        for name in [STILL, ENGINES, MOVING] {
+        for name in [STILL, PRESETS, MOVING] {
             let experiment = format!("experiments/{name}.toml");
             let mut args = vec!["report", &experiment, "-o", FOLDER];
             args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
@@ -45,16 +53,18 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
             .with_context(|| format!("no {file} in {}", folder.display()))
     };
     let results = |name: &str| anyhow::Ok(serde_json::from_str::<Value>(&read(format!("{name}.json"))?)?);
-    let mut text = document(&results(STILL)?, &results(ENGINES)?, &results(MOVING)?)
+    let mut text = document(&results(STILL)?, &results(PRESETS)?, &results(MOVING)?)
         .context("a key is missing in the results of the experiments")?;
     text += "\n## Claims\n";
-    for name in [STILL, ENGINES, MOVING] {
+    for name in [STILL, PRESETS, MOVING] {
         let page = read(format!("{name}.html"))?;
         text += &claims::said(&page).with_context(|| format!("the page of {name} lacks a claim"))?;
     }
     let pictures = root().join("docs/pictures");
-    for ((file, _), plot) in PLOTS.iter().zip(plots(&read(format!("{STILL}.html"))?)) {
-        std::fs::write(pictures.join(file), plot)?;
+    for (name, files) in [(STILL, PLOTS), (PRESETS, PRESET_PLOTS)] {
+        for ((file, _), plot) in files.iter().zip(plots(&read(format!("{name}.html"))?)) {
+            std::fs::write(pictures.join(file), plot)?;
+        }
     }
     std::fs::copy(folder.join(SHEET), pictures.join("filters.png"))
         .with_context(|| format!("no {SHEET} in {}", folder.display()))?;
@@ -65,7 +75,7 @@ pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> 
     Ok(())
 }
 
-fn document(still: &Value, engines: &Value, moving: &Value) -> Option<String> {
+fn document(still: &Value, presets: &Value, moving: &Value) -> Option<String> {
     let rows = still["rows"].as_array()?;
     let first = rows.first()?;
     let adapter = first["machine"]["adapter"].as_str()?;
@@ -94,10 +104,14 @@ fn document(still: &Value, engines: &Value, moving: &Value) -> Option<String> {
              Light in umbrae, false shadow and false light are per cent. \
              Times are milliseconds, medians with the 5th and 95th percentile in brackets.\n";
     text += &world_by_world(still)?;
-    text += "\n## The defaults of engines\n\n\
-             Their maps have up to four times the texels, and most of their shadows end at 100 to 250 m. \
+    text += "\n## Presets, and the defaults of engines\n\n";
+    for (file, says) in PRESET_PLOTS {
+        let _ = write!(text, "![{says}](pictures/{file})\n\n");
+    }
+    text += "\
+Engines' maps have up to four times the texels, and most of their shadows end at 100 to 250 m. \
              They are judged so far, which is fewer pixels: rows with different pixels do not compare.\n";
-    text += &world_by_world(engines)?;
+    text += &world_by_world(presets)?;
     text += &trembling(moving)?;
     Some(text)
 }
