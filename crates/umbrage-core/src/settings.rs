@@ -422,6 +422,7 @@ pub(crate) fn check_resolution(texels: u32) -> Result<(), SettingsError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{ExponentialVariance, FourMoments, LightSize, Pcss, Precision, Prefilter};
 
     #[test]
     fn the_default_is_valid() {
@@ -443,6 +444,19 @@ mod tests {
         assert_eq!(key(Settings { resolution: 8, ..default() }), "resolution");
         assert_eq!(key(Settings { distance: Some(-1.0), ..default() }), "distance");
         assert_eq!(key(Settings { filter: Filter::Pcf { size: 4 }, ..default() }), "filter.size");
+        assert_eq!(key(Settings { filter: Filter::Pcf { size: 9 }, resolution: 16, ..default() }), "filter");
+        let prefilter = Prefilter { shrink: 2, ..Prefilter::default() };
+        let filter = Filter::Msm(FourMoments { prefilter, ..FourMoments::default() });
+        assert_eq!(key(Settings { filter, resolution: 333, ..default() }), "resolution");
+        let filter = Filter::Evsm4(ExponentialVariance {
+            precision: Precision::F16,
+            exponent: Some(10.0),
+            ..ExponentialVariance::default()
+        });
+        assert_eq!(key(Settings { filter, ..default() }), "filter.exponent");
+        let light = LightSize { sun_degrees: -1.0, ..LightSize::default() };
+        let filter = Filter::Pcss(Pcss { light, ..Pcss::default() });
+        assert_eq!(key(Settings { filter, ..default() }), "filter.light.sun_degrees");
         assert_eq!(key(Settings { bias: Bias { normal: -1.0, ..Bias::NONE }, ..default() }), "bias.normal");
         assert_eq!(key(Settings { shade: Shade::Absence { darkness: 2.0 }, ..default() }), "shade.darkness");
     }

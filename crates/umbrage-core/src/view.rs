@@ -147,7 +147,9 @@ impl Light {
     /// Texels a side of its tiles.
     pub(crate) fn tile_size(&self, settings: &Settings) -> Result<u32, SettingsError> {
         let size = self.resolution.unwrap_or(settings.resolution);
-        check_resolution(size).map(|()| size)
+        check_resolution(size)?;
+        settings.filter.check_tile(size)?;
+        Ok(size)
     }
 }
 

@@ -22,6 +22,7 @@
 //!
 //! This crate does not: create a device, load meshes, draw your scene, cull for you, or choose your light.
 
+mod bindings;
 mod capabilities;
 mod caster_pass;
 mod compute;

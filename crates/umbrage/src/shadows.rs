@@ -1,18 +1,18 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Bounds, Camera, Filter, Layer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView,
-    plan,
+    Bounds, Camera, Layer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView, plan,
 };
 
+use crate::bindings;
 use crate::capabilities::Capabilities;
 use crate::caster_pass::{self, CasterVertex};
-use crate::compute::{DEPTH_MAPS, Inputs, frame_and_view, frame_entry};
+use crate::compute::{Inputs, frame_and_view};
 use crate::error::ShadowError;
 use crate::gpu_types;
 use crate::layers::{Layers, offset};
 use crate::maps::{MapTexels, Maps};
-use crate::prefilter::{MomentFormat, MomentMaps};
+use crate::prefilter::MomentMaps;
 use crate::sums::SumMaps;
 use crate::wgsl::receiver_wgsl;
 
@@ -95,27 +95,9 @@ impl Shadows {
             entries: &frame_and_view(&frame, &view_indices),
         });
         let filtered = moments.as_ref().map(|moments| &moments.all).or(sums.as_ref().map(|sums| &sums.all));
-        let receiver_layout = receiver_layout(device, &settings.filter, capabilities);
-        let comparison = comparison_sampler(device, &settings.filter);
-        let smooth = smooth_sampler(device, &settings.filter);
-        let mut entries = vec![
-            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&maps.all) },
-            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&comparison) },
-        ];
-        if let Some(filtered) = filtered {
-            let resource = wgpu::BindingResource::TextureView(filtered);
-            entries.push(wgpu::BindGroupEntry { binding: 3, resource });
-        }
-        if moments.is_some() && MomentFormat::of(&settings.filter, capabilities).is_filterable {
-            entries
-                .push(wgpu::BindGroupEntry { binding: 4, resource: wgpu::BindingResource::Sampler(&smooth) });
-        }
-        let receiver_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("Shadows::receiver_group"),
-            layout: &receiver_layout,
-            entries: &entries,
-        });
+        let receiver_layout = bindings::layout(device, &settings.filter, capabilities);
+        let read = bindings::Read { frame: &frame, maps: &maps.all, filtered };
+        let receiver_group = bindings::group(device, &receiver_layout, &settings.filter, capabilities, &read);
         Ok(Self {
             settings,
             views,
@@ -342,64 +324,6 @@ fn check_supported(settings: &Settings, capabilities: Capabilities) -> Result<()
         });
     }
     Ok(())
-}
-
-fn receiver_layout(
-    device: &wgpu::Device,
-    filter: &Filter,
-    capabilities: Capabilities,
-) -> wgpu::BindGroupLayout {
-    let visibility = wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE;
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
-    let array_of = |sample_type| wgpu::BindingType::Texture {
-        sample_type,
-        view_dimension: wgpu::TextureViewDimension::D2Array,
-        multisampled: false,
-    };
-    let mut entries = vec![
-        frame_entry(visibility),
-        entry(1, DEPTH_MAPS),
-        entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
-    ];
-    if filter.prefilter().is_some() {
-        let filterable = MomentFormat::of(filter, capabilities).is_filterable;
-        entries.push(entry(3, array_of(wgpu::TextureSampleType::Float { filterable })));
-        if filterable {
-            entries.push(entry(4, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)));
-        }
-    } else if filter.moments(1.0).is_some() {
-        entries.push(entry(3, array_of(wgpu::TextureSampleType::Uint)));
-    }
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("Shadows::receiver_layout"),
-        entries: &entries,
-    })
-}
-
-/// Lit where the reference is not greater than what is stored.
-fn comparison_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
-    let is_hard = matches!(filter, Filter::Hard {});
-    let mode = if is_hard { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
-    device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("Shadows::comparison_sampler"),
-        mag_filter: mode,
-        min_filter: mode,
-        compare: Some(wgpu::CompareFunction::LessEqual),
-        ..Default::default()
-    })
-}
-
-/// For moments.
-fn smooth_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
-    let prefilter = filter.prefilter().copied().unwrap_or_default();
-    device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("Shadows::smooth_sampler"),
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        anisotropy_clamp: if prefilter.levels > 1 { prefilter.anisotropy as u16 } else { 1 },
-        ..Default::default()
-    })
 }
 
 /// The numbers 0, 1, 2, … each at an offset that can be bound.
