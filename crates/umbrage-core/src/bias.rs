@@ -98,7 +98,7 @@ pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 
 /// How far along the light a receiver's plane may lie from the receiver within its lookups' reach, in texels.
 pub(crate) fn plane_reach_texels(bias: &Bias, filter: &Filter) -> f64 {
-    let corner = std::f64::consts::SQRT_2 * f64::from(filter.reach_texels());
+    let corner = std::f64::consts::SQRT_2 * f64::from(filter.plane_reach_texels());
     if bias.receiver_plane { corner * f64::from(filter.steepest_plane()) } else { 0.0 }
 }
 

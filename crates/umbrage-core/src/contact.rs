@@ -2,6 +2,7 @@
 //! it stands on: a march through the camera's own depth, toward the light.
 
 use crate::SettingsError;
+use crate::check::check;
 
 /// Contact shadows: how far a receiver looks toward the light in the camera's depth buffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,18 +35,9 @@ impl Contact {
     pub(crate) fn validate(&self) -> Result<(), SettingsError> {
         let Self { length, steps, thickness } = *self;
         let metres = "more than 0, at most 100 metres";
-        let is_length = |value: f32| value > 0.0 && value <= 100.0;
-        let wrong = |key, value, wanted| Err(SettingsError::OutOfRange { key, value, wanted });
-        if !is_length(length) {
-            return wrong("contact.length", f64::from(length), metres);
-        }
-        if !(1..=Self::MAX_STEPS).contains(&steps) {
-            return wrong("contact.steps", f64::from(steps), "from 1 to 64");
-        }
-        if !is_length(thickness) {
-            return wrong("contact.thickness", f64::from(thickness), metres);
-        }
-        Ok(())
+        check("contact.length", length, f64::from(f32::MIN_POSITIVE), 100.0, metres)?;
+        check("contact.steps", f64::from(steps), 1.0, f64::from(Self::MAX_STEPS), "from 1 to 64")?;
+        check("contact.thickness", thickness, f64::from(f32::MIN_POSITIVE), 100.0, metres)
     }
 }
 

@@ -68,7 +68,7 @@ pub enum Filter {
 impl Filter {
     /// What is stored instead of depth, of a map that is `depth_metres` deep; `None` where depths themselves are read.
     pub fn moments(&self, depth_metres: f32) -> Option<Moments> {
-        let variance = |deviation: f32| (deviation / depth_metres.max(f32::MIN_POSITIVE)).powi(2).min(0.01);
+        let variance = |deviation: f32| (deviation / depth_metres.max(f32::MIN_POSITIVE)).powi(2);
         match self {
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
             Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
@@ -146,7 +146,7 @@ impl Filter {
             Self::Bilinear {} => 1.0,
             Self::Pcf { size } | Self::Optimised { size } => 0.5 * *size as f32 + 0.5,
             Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
-                disc.radius_texels.max(0.5) + 1.0
+                disc.radius_texels.max(0.5) * disc.farthest() + 1.0
             }
             Self::Footprint(Footprint { most_texels, .. })
             | Self::Pcss(Pcss { most_texels, .. })
@@ -166,23 +166,34 @@ impl Filter {
                 self.reach_texels()
             }
             Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
-                disc.radius_at(texel_metres) + 1.0
+                disc.radius_at(texel_metres) * disc.farthest() + 1.0
             }
             Self::Footprint(_) | Self::Pcss(_) | Self::Savsm(_) | Self::Mssm(_) => 1.0,
             Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => 1.0,
         }
     }
 
-    /// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 40 (88.6°)
-    /// where a lookup stays near, and 8 (83°) where it reaches far. A steep plane is soon before the near plane, or behind
-    /// what it stands on, and maps need as much room around it. Measured: less leaves acne on walls along the light.
-    pub fn steepest_plane(&self) -> f32 {
-        /// That many texels deep a plane is followed, from the receiver to where a lookup ends.
-        const DEEPEST_TEXELS: f32 = 40.0;
-        let reach = match self {
+    /// How far from a receiver its plane is followed, texels; 0 where it is not. A footprint reaches farther where pixels are
+    /// much larger than texels, but planes that steep are then seen edge on.
+    pub(crate) fn plane_reach_texels(&self) -> f32 {
+        match self {
+            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => {
+                self.reach_texels()
+            }
+            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => self.reach_texels(),
+            Self::Footprint(_) => 1.0,
             Self::Pcss(_) => self.reach_texels(),
-            _ => self.offset_reach_texels(f32::MIN_POSITIVE),
-        };
-        (DEEPEST_TEXELS / reach).clamp(8.0, 40.0)
+            Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => 0.0,
+            Self::Savsm(_) | Self::Mssm(_) => 0.0,
+        }
+    }
+
+    /// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 40 (88.6°)
+    /// where a lookup stays near, and 8 (83°) where it reaches far, since maps need as much room around it. Measured: less
+    /// leaves acne on walls along the light.
+    pub fn steepest_plane(&self) -> f32 {
+        /// That many texels deep a plane is followed at least, from the receiver to where a lookup ends.
+        const DEEPEST_TEXELS: f32 = 40.0;
+        (DEEPEST_TEXELS / self.plane_reach_texels().max(1.0)).clamp(8.0, 40.0)
     }
 }

@@ -28,11 +28,14 @@ pub const POISSON: [Vec2; 16] = [
 /// The angle between two neighbours of the spiral: a whole turn over the square of the golden ratio, radians.
 const GOLDEN_ANGLE: f32 = 2.399_963_2;
 
-/// The first `count` points of the table, moved so that their middle is the origin where `centred`. No more than 16.
+/// The first `count` points of the table, no more than 16. Where `centred`, they are moved so that their middle is the
+/// origin, and drawn in so that none leaves the disc; else the farthest is 1.25 radii away.
 pub fn poisson(count: usize, centred: bool) -> impl Iterator<Item = Vec2> {
-    let count = count.min(POISSON.len());
-    let middle = POISSON[..count].iter().sum::<Vec2>() / count.max(1) as f32;
-    POISSON[..count].iter().map(move |point| if centred { *point - middle } else { *point })
+    let points = &POISSON[..count.min(POISSON.len())];
+    let middle = if centred { points.iter().sum::<Vec2>() / points.len().max(1) as f32 } else { Vec2::ZERO };
+    let farthest = points.iter().map(|point| point.distance(middle)).fold(1.0, f32::max);
+    let size = if centred { farthest } else { 1.0 };
+    points.iter().map(move |point| (*point - middle) / size)
 }
 
 /// Point `i` of `count` on the unit disc, each with as much of its area.
@@ -126,6 +129,10 @@ mod tests {
         assert!(middle(4, false).distance(Vec2::new(0.0636, -0.4509)) < 1e-4);
         assert!(middle(16, false).distance(Vec2::new(-0.0056, -0.0195)) < 1e-4);
         assert!(middle(4, true).length() < 1e-6 && middle(16, true).length() < 1e-6);
+        for count in 1..=16 {
+            let farthest = |centred| poisson(count, centred).map(Vec2::length).fold(0.0, f32::max);
+            assert!(farthest(true) <= 1.0 + 1e-6 && farthest(false) <= 1.25, "{count} points");
+        }
     }
 
     #[test]

@@ -25,7 +25,6 @@ mod vectors;
 
 use glam::{Vec2, Vec4};
 
-use crate::SettingsError;
 pub use esm::Esm;
 pub use evsm::{Evsm2, Evsm4};
 pub use exponent::{Exponent, Precision};
@@ -48,15 +47,6 @@ pub enum Moments {
 }
 
 impl Moments {
-    /// How many channels of a texel are in use: 1, 2 or 4. The others are 0.
-    pub fn channels(&self) -> u32 {
-        match self {
-            Self::Esm(_) => 1,
-            Self::Vsm(_) | Self::Evsm2(_) => 2,
-            Self::Evsm4(_) | Self::Msm(_) => 4,
-        }
-    }
-
     /// What one depth is stored as. `slope` is how much depth grows from a texel to the next, to the right and downward;
     /// only [`Vsm`] asks for it.
     pub fn of_depth(&self, depth: f32, slope: Vec2) -> Vec4 {
@@ -96,70 +86,5 @@ impl Moments {
             Self::Evsm4(evsm) => evsm.visibility(moments, depth),
             Self::Msm(msm) => msm.visibility(moments, depth),
         }
-    }
-
-    /// Whether every parameter is in its range.
-    ///
-    /// # Errors
-    /// The first parameter that is not, by its key.
-    pub fn validate(&self) -> Result<(), SettingsError> {
-        match *self {
-            Self::Vsm(Vsm { least_variance, bleed })
-            | Self::Evsm2(Evsm2 { exponent: _, least_variance, bleed })
-            | Self::Evsm4(Evsm4 { positive: _, negative: _, least_variance, bleed }) => {
-                let wanted = "from 0 to 0.01 squares of the depth range";
-                check("moments.least_variance", least_variance, 0.0, 0.01, wanted)?;
-                check_bleed(bleed)
-            }
-            Self::Esm(Esm { exponent }) => {
-                check("moments.exponent", exponent, 1.0, Esm::LARGEST_EXPONENT, "from 1 to 88")
-            }
-            Self::Msm(Msm { bias, centre, bleed }) => {
-                check("moments.bias", bias, 0.0, 0.1, "from 0 to 0.1")?;
-                check("moments.centre", centre, 0.1, 0.9, "from 0.1 to 0.9")?;
-                check_bleed(bleed)
-            }
-        }
-    }
-}
-
-fn check_bleed(bleed: f32) -> Result<(), SettingsError> {
-    check("moments.bleed", bleed, 0.0, 0.99, "from 0 to 0.99")
-}
-
-/// NaN is outside every range.
-fn check(
-    key: &'static str,
-    value: f32,
-    low: f32,
-    high: f32,
-    wanted: &'static str,
-) -> Result<(), SettingsError> {
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(SettingsError::OutOfRange { key, value: f64::from(value), wanted })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn defaults_are_valid_and_a_value_out_of_range_is_named() {
-        for moments in properties::all() {
-            assert_eq!(moments.validate(), Ok(()), "{moments:?}");
-        }
-        let key = |moments: Moments| match moments.validate() {
-            Err(SettingsError::OutOfRange { key, .. }) => key,
-            other => panic!("expected a value out of range, got {other:?}"),
-        };
-        let (vsm, msm) = (Vsm::default(), Msm::default());
-        assert_eq!(key(Moments::Vsm(Vsm { least_variance: -1.0, ..vsm })), "moments.least_variance");
-        assert_eq!(key(Moments::Vsm(Vsm { bleed: 1.0, ..vsm })), "moments.bleed");
-        assert_eq!(key(Moments::Esm(Esm { exponent: 89.0 })), "moments.exponent");
-        assert_eq!(key(Moments::Msm(Msm { bias: f32::NAN, ..msm })), "moments.bias");
-        assert_eq!(key(Moments::Msm(Msm { centre: 1.0, ..msm })), "moments.centre");
     }
 }

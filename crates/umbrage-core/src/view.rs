@@ -184,6 +184,8 @@ pub(crate) fn arrange(storage: Storage, depth: DepthFormat, sizes: &[u32], tiles
         return MapLayout { width: largest, height: largest, layers: count, depth };
     }
     let levels = (largest / smallest).ilog2();
+    // Tiles begin at even texels, so that half of a size has them too.
+    let side = largest.next_multiple_of(2 << levels);
     // In pieces of the least size; a tile of level l has 4^(levels − l) of them.
     let pieces = |size: u32| 1u64 << (2 * (levels - (largest / size).ilog2()));
     let in_cell = pieces(largest);
@@ -195,12 +197,12 @@ pub(crate) fn arrange(storage: Storage, depth: DepthFormat, sizes: &[u32], tiles
             tiles.iter_mut().zip(sizes).filter(|(_, size)| (largest / **size).ilog2() == level)
         {
             let (cell, inside) = ((next / in_cell) as u32, next % in_cell);
-            let [x, y] = [inside, inside >> 1].map(|bits| every_second_bit(bits) * largest / (1 << levels));
-            *tile = Tile { layer: 0, x: cell % columns * largest + x, y: cell / columns * largest + y, size };
+            let [x, y] = [inside, inside >> 1].map(|bits| every_second_bit(bits) * (side >> levels));
+            *tile = Tile { layer: 0, x: cell % columns * side + x, y: cell / columns * side + y, size };
             next += pieces(size);
         }
     }
-    MapLayout { width: columns * largest, height: cells.div_ceil(columns) * largest, layers: 1, depth }
+    MapLayout { width: columns * side, height: cells.div_ceil(columns) * side, layers: 1, depth }
 }
 
 /// Bits 0, 2, 4 … as a number (Morton 1966).

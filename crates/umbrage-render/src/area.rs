@@ -76,7 +76,8 @@ impl Area {
             Rays::Point { position, range } => Light::point(position + aside, range + aside.length())?,
             _ => *light,
         };
-        Ok(Light { resolution: light.resolution, ..moved })
+        // A sample is a point: the samples are the size.
+        Ok(Light { resolution: light.resolution, size: Some(0.0), ..moved })
     }
 }
 

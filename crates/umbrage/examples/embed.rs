@@ -69,6 +69,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         pass.set_pipeline(&casters);
         pass.draw(0..36, 0..144);
     }
+    shadows.finish(&mut encoder, &plan);
     let (view, depth) = (&colour.create_view(&Default::default()), depth.create_view(&Default::default()));
     let (load, store) = (wgpu::LoadOp::Clear(wgpu::Color::WHITE), wgpu::StoreOp::Store);
     let (ops, far) = (wgpu::Operations { load, store }, wgpu::LoadOp::Clear(0.0));

@@ -14,6 +14,7 @@
 //!     let mut pass = shadows.begin(encoder, view); // n maps …
 //!     // set your caster pipeline, draw what touches view.casters
 //! }
+//! shadows.finish(encoder, &plan); // moments and blurs, where the filter has them
 //! // … and one shading pass, with shadows.bind_group() where shadows.wgsl(group) expects it
 //! # Ok(()) }
 //! ```

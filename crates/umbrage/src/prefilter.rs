@@ -50,7 +50,7 @@ impl MomentFormat {
         }
     }
 
-    /// How many sizes are kept: one, where samplers do not choose among them.
+    /// How many sizes are wanted: one, where samplers do not choose among them.
     pub fn levels(&self, prefilter: &Prefilter) -> u32 {
         if self.is_filterable { prefilter.levels } else { 1 }
     }
@@ -83,8 +83,9 @@ impl MomentMaps {
     ) -> Option<Self> {
         let prefilter = *filter.prefilter()?;
         let format = MomentFormat::of(filter, capabilities);
-        let levels = format.levels(&prefilter);
         let size = [layout.width, layout.height].map(|side| side.div_ceil(prefilter.shrink));
+        // No texture has a size below one texel.
+        let levels = format.levels(&prefilter).min(size[0].max(size[1]).max(1).ilog2() + 1);
         let layers = layout.layers.max(capabilities.least_layers);
         let made = texture(inputs.device, format.format, size, layers, levels);
         let scratch_side = if prefilter.blur_texels > 0 { size[0].min(size[1]) } else { 1 };
@@ -140,9 +141,11 @@ impl MomentMaps {
                 steps[layer].record(pass, view.index, [side.div_ceil(64), side]);
             }
         }
+        // Of the layers that this plan has.
+        let layers = plan.views().iter().map(|view| view.tile.layer as usize + 1).max().unwrap_or(0);
         for (level, steps) in (1..).zip(&self.halve) {
             let groups = self.size.map(|side| (side >> level).max(1).div_ceil(8));
-            steps.iter().for_each(|step| step.record(pass, 0, groups));
+            steps.iter().take(layers).for_each(|step| step.record(pass, 0, groups));
         }
     }
 }

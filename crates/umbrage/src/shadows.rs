@@ -161,8 +161,8 @@ impl Shadows {
         Ok(self.has_room_for(lights)? && self.maps.layout == wanted)
     }
 
-    /// Says how large the camera's picture is, pixels: what filters that keep moments in several sizes choose among them by.
-    /// 1920 × 1080 until then.
+    /// Says how large the camera's picture is, pixels, before [`Self::upload`]: what a footprint is as wide as, and what
+    /// moments in several sizes are chosen by. 1920 × 1080 until then.
     pub fn set_picture_size(&mut self, width: u32, height: u32) {
         self.picture_size = [width.max(1), height.max(1)];
     }
@@ -174,7 +174,8 @@ impl Shadows {
     }
 
     /// Starts the pass that draws a view's casters: its tile is cleared, viewport, scissor and group 0 are set. Draw
-    /// the views in the plan's order.
+    /// the views in the plan's order. With a `bias.layer` other than the first, draw each view once more: see
+    /// [`Self::begin_second`].
     pub fn begin<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,

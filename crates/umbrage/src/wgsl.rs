@@ -170,6 +170,7 @@ fn disc(disc: &Disc, place: &str, tap: &str, of: Vec<Vec2>) -> Vec<String> {
         points("UMBRAGE_POINTS", &of) + &points("UMBRAGE_TABLE", &POISSON_OF[usize::from(disc.centred)]());
     let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.len());
     let _ = writeln!(numbers, "const UMBRAGE_BAIL: bool = {};", disc.bail);
+    let _ = writeln!(numbers, "const UMBRAGE_FARTHEST: f32 = {:?};", disc.farthest());
     let files = [
         include_str!("../shaders/reach/disc.wgsl"),
         PCG,
@@ -232,7 +233,7 @@ fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
         (true, 1) => include_str!("../shaders/sample/level.wgsl"),
         (true, _) => include_str!("../shaders/sample/footprint.wgsl"),
     };
-    let inset = 0.5 * (prefilter.shrink << (levels - 1)) as f32;
+    let inset = 0.5 * prefilter.shrink as f32;
     let numbers =
         format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n") + &least_deviation(&settings.filter);
     let files = [

@@ -17,7 +17,7 @@ pub struct Disc {
     /// Whether the table's points are moved so that their middle is the receiver. The tutorial's are not: four of them
     /// look half a radius aside.
     pub centred: bool,
-    /// What a place is, where each has other points or another angle.
+    /// What a place is, where each has other points or another angle; `poisson` has the same everywhere.
     pub seed: Seed,
     /// Whether four points on the rim are asked first, and the others only where those disagree.
     pub bail: bool,
@@ -276,6 +276,13 @@ impl Disc {
     /// Its radius in a view whose texels have this side, texels; at least half a texel.
     pub fn radius_at(&self, texel_metres: f32) -> f32 {
         radius_at(self.radius, self.radius_texels, texel_metres)
+    }
+}
+
+impl Disc {
+    /// How far its farthest point lies from the receiver, in radii: the tutorial's own table leaves its disc.
+    pub fn farthest(&self) -> f32 {
+        if self.centred { 1.0 } else { 1.25 }
     }
 }
 

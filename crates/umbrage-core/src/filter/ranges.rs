@@ -3,7 +3,7 @@
 use super::{Disc, ExponentialVariance, Filter, Footprint, LightSize, Pcss, Prefilter};
 use crate::SettingsError;
 use crate::check::check;
-use crate::moments::{Exponent, Precision};
+use crate::moments::{Esm, Exponent, Precision};
 
 impl Filter {
     /// Whether every value is in its range, for maps of `resolution` texels a side.
@@ -35,7 +35,7 @@ impl Filter {
                     "filter.exponent",
                     of.exponent,
                     1e-3,
-                    88.0,
+                    f64::from(Esm::LARGEST_EXPONENT),
                     "from 0.001 to 88, since 32 bits end at e^88.7",
                 )?;
                 of.prefilter.validate()?;

@@ -21,7 +21,7 @@ impl Default for Esm {
 
 impl Esm {
     /// What e^c can be in 32 bits: c < 88.72 (V11c).
-    pub(super) const LARGEST_EXPONENT: f32 = 88.0;
+    pub(crate) const LARGEST_EXPONENT: f32 = 88.0;
 
     /// The logarithm of nothing: its exponential is 0 beside any other.
     pub(super) const NONE: Vec4 = Vec4::new(-1e30, 0.0, 0.0, 0.0);

@@ -8,7 +8,7 @@ fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
         var rim = 0.0;
         for (var i = 0u; i < 4u; i++) {
             let angle = 1.5707963 * (f32(i) + 0.5);
-            rim += umbrage_tap(lookup, umbrage_point(vec2f(cos(angle), sin(angle)), i, noise) * radius);
+            rim += umbrage_tap(lookup, vec2f(cos(angle), sin(angle)) * radius);
         }
         if rim == 0.0 || rim == 4.0 {
             return rim * 0.25;

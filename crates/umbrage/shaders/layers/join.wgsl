@@ -12,14 +12,19 @@ fn everywhere(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return vec4f(vec2f(f32(index & 1u), f32(index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
 }
 
-/// How much stored depth grows a metre along the light, at a depth that is stored.
+/// How much stored depth grows a metre along the light, at a depth that is stored: the inverse of how even depth grows.
 fn umbrage_steepness(texel: vec2f, stored: f32) -> f32 {
     let view_index = umbrage_joined_view.x;
     let deep = umbrage_frame.views[view_index].depth_metres;
-    let step = 1e-3;
-    let here = umbrage_even_depth(view_index, texel, stored);
-    let there = umbrage_even_depth(view_index, texel, stored - step);
-    return step / max((here - there) * deep, 1e-30);
+    let ndc = texel / umbrage_frame.views[view_index].tile_size * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0);
+    let weight = dot(umbrage_frame.views[view_index].inverse_weight, vec3f(ndc, 1.0));
+    if umbrage_frame.views[view_index].spreads == 0u {
+        return weight / deep;
+    }
+    // Stored depth is (1 / near − 1 / d) / (1 / near − 1 / far).
+    let near = umbrage_frame.views[view_index].near_metres;
+    let metres = near + umbrage_even_depth(view_index, texel, stored) * deep;
+    return weight * near * (near + deep) / (deep * metres * metres);
 }
 
 @fragment

@@ -7,11 +7,11 @@ fn umbrage_moments_at(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> vec4f
     let uv = umbrage_moments_uv(lookup);
     let layer = umbrage_frame.views[lookup.view_index].layer;
     let size = umbrage_frame.map_size;
-    // A long footprint is several lookups along it, or an ellipse: none may lie over the side of the tile, where another
-    // view begins.
+    // A long footprint is several lookups along it, or an ellipse, and a large one a lookup of a coarse size: none may lie
+    // over the side of the tile, where another view begins.
     let tile_size = umbrage_frame.views[lookup.view_index].tile_size;
     let place = uv * size - umbrage_frame.views[lookup.view_index].tile_origin;
-    let room = max(min(place, tile_size - place) - UMBRAGE_MOMENTS_INSET, vec2f(0.0));
+    let room = 0.5 * max(min(place, tile_size - place) - UMBRAGE_MOMENTS_INSET, vec2f(0.0));
     let footprint = umbrage_footprint(lookup, receiver);
     let reach = max(abs(footprint[0]) + abs(footprint[1]), vec2f(1e-6));
     let share = min(min(room.x / reach.x, room.y / reach.y), 1.0);

@@ -1,4 +1,4 @@
-/// Texture coordinates of a lookup in a map of moments; no farther out than where the coarsest size ends.
+/// Texture coordinates of a lookup in a map of moments; those outside are moved to the outermost texels.
 fn umbrage_moments_uv(lookup: UmbrageLookup) -> vec2f {
     let tile_size = umbrage_frame.views[lookup.view_index].tile_size;
     let inset = min(UMBRAGE_MOMENTS_INSET, 0.5 * tile_size);

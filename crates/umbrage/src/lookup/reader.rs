@@ -135,12 +135,12 @@ impl Reader<'_> {
     fn disc(&self, disc: &Disc, points: &[Vec2], place: impl Fn(u32, Vec2) -> Vec2) -> f32 {
         let Vec2 { x, y } = self.place.texel_metres;
         let radius = Vec2::new(disc.radius_at(x), disc.radius_at(y));
-        let lit = |points: &[Vec2]| {
-            let taps = (0..).zip(points).map(|(i, point)| self.tap(place(i, *point) * radius));
-            taps.sum::<f32>() / points.len() as f32
-        };
-        let rim = lit(&CORNERS);
-        if disc.bail && (rim == 0.0 || rim == 1.0) { rim } else { lit(points) }
+        let rim = CORNERS.map(|corner| self.tap(corner * radius)).iter().sum::<f32>() / 4.0;
+        if disc.bail && (rim == 0.0 || rim == 1.0) {
+            return rim;
+        }
+        let taps = (0..).zip(points).map(|(i, point)| self.tap(place(i, *point) * radius));
+        taps.sum::<f32>() / points.len() as f32
     }
 
     /// How the place on the map changes from a pixel to the next, to the right and upward, texels.

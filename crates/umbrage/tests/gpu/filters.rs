@@ -77,6 +77,32 @@ fn points_on_a_disc_are_where_rust_says() {
 }
 
 #[test]
+fn a_bail_misses_only_what_lies_within_an_agreeing_rim() {
+    let camera = camera(Vec3::new(-30.0, 9.0, 38.0), Vec3::new(4.0, 0.0, -6.0));
+    let world = world();
+    let queries = queries(&world, &camera, 100);
+    for radius_texels in [1.5, 2.5, 6.0] {
+        let ask = |bail| {
+            let disc = Disc { radius_texels, seed: Seed::None, bail, ..Disc::default() };
+            draw(device(wgpu::Backends::VULKAN), with(Filter::Vogel(disc)), &camera, &[LIGHT], &world)
+                .visibility(&queries)
+        };
+        let (all, bailed) = (ask(false), ask(true));
+        let missed = all.iter().zip(&bailed).filter(|(all, bailed)| all != bailed);
+        // Where the rim disagrees, all points are asked, and the answer is the same.
+        assert!(missed.clone().all(|(_, bailed)| *bailed == 0.0 || *bailed == 1.0), "only a bail differs");
+        let rate = missed.count() as f64 / queries.len() as f64;
+        let partly = all.iter().filter(|v| **v > 0.0 && **v < 1.0).count() as f64 / queries.len() as f64;
+        println!(
+            "{radius_texels} texels: {:.3} % missed, of {:.3} % in penumbrae",
+            100.0 * rate,
+            100.0 * partly
+        );
+        assert!(rate > 0.0 && rate < 0.3 * partly, "{radius_texels} texels: {rate} missed, of {partly}");
+    }
+}
+
+#[test]
 fn what_a_pixel_covers_is_what_rust_says() {
     for (receiver_plane, warp) in [(false, Warp::None), (true, Warp::None), (true, Warp::Lispsm)] {
         let bias = Bias { receiver_plane, ..Bias::default() };

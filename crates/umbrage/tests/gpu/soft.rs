@@ -261,3 +261,25 @@ fn what_moments_miss_in_a_wide_box_they_find_in_a_narrow_one() {
     let visibility = drawn.visibility(&[beneath]);
     assert!(visibility[0] < 0.05, "beneath the plate it is dark, not {visibility:?}");
 }
+
+#[test]
+fn light_fades_in_at_the_terminator_and_surfaces_turned_away_are_dark() {
+    let bias = Bias { terminator: 0.3, ..Bias::default() };
+    let settings = Settings { bias, ..soft(Filter::Hard {}) };
+    let world = plate(2.0, 0.0);
+    let bounds = Bounds::of_world(Vec3::new(-9.0, 0.0, -9.0), Vec3::new(9.0, 2.0, 9.0));
+    let drawn = draw_lit(device(wgpu::Backends::VULKAN), settings, &camera(2.0), &[sun()], &world, &bounds);
+    let maps = drawn.maps();
+    // On the open side of the plate, with normals from along the light to against it.
+    let normal = |i: i32| Vec3::new((i as f32 * 0.1).sin(), (i as f32 * 0.1).cos(), 0.0);
+    let query = |i| Query { position: Vec3::new(0.4, 0.0, 0.2), _pad0: 0.0, normal: normal(i), _pad1: 0.0 };
+    let queries: Vec<Query> = (0..31).map(query).collect();
+    for (query, gpu) in queries.iter().zip(drawn.visibility(&queries)) {
+        let share = (query.normal.y / 0.3).clamp(0.0, 1.0);
+        let expected = share * share * (3.0 - 2.0 * share);
+        assert!((gpu - expected).abs() < 1e-5, "cosine {}: {gpu}, not {expected}", query.normal.y);
+        assert_eq!(gpu == 0.0, query.normal.y <= 0.0, "cosine {}", query.normal.y);
+        let rust = drawn.lookup(&maps).visibility(0, query.position, query.normal);
+        assert!((rust - gpu).abs() < 1e-5, "cosine {}: {rust} in Rust", query.normal.y);
+    }
+}
