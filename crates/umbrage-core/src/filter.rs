@@ -175,7 +175,7 @@ impl Filter {
 
     /// How far from a receiver its plane is followed, texels; 0 where it is not. A footprint reaches farther where pixels are
     /// much larger than texels, but planes that steep are then seen edge on.
-    pub(crate) fn plane_reach_texels(&self) -> f32 {
+    pub fn plane_reach_texels(&self) -> f32 {
         match self {
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => {
                 self.reach_texels()

@@ -203,7 +203,8 @@ impl<'a> Receiver<'a> {
         let low = Vec2::splat(self.settings.filter.reach_texels());
         let high = Vec2::splat(view.tile.size as f32) - low;
         let inside = place.texel.cmpge(low).all() && place.texel.cmple(high).all();
-        let nearest = place.reference - place.gradient.abs().dot(low);
+        let plane = self.settings.filter.plane_reach_texels();
+        let nearest = place.reference - place.gradient.abs().element_sum() * plane;
         inside && nearest >= 0.0 && place.reference <= 1.0
     }
 

@@ -62,6 +62,7 @@ fn constants(settings: &Settings) -> String {
     let reach = settings.filter.reach_texels();
     // Writing to a string cannot fail.
     let mut text = format!("const UMBRAGE_FILTER_REACH: f32 = {reach:?};\n");
+    let _ = writeln!(text, "const UMBRAGE_PLANE_REACH: f32 = {:?};", settings.filter.plane_reach_texels());
     let _ = writeln!(text, "const UMBRAGE_STEEPEST_PLANE: f32 = {:?};", settings.filter.steepest_plane());
     let _ = writeln!(text, "const UMBRAGE_RASTER_STEP: f32 = {RASTER_STEP_TEXELS:?};");
     if settings.blend > 0.0 {

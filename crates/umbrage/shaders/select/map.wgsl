@@ -13,7 +13,7 @@ fn umbrage_finest(light: u32, start: u32, world_position: vec3f, world_normal: v
         let tile_size = umbrage_frame.views[i].tile_size;
         let low = vec2f(UMBRAGE_FILTER_REACH);
         let inside = all(lookup.texel >= low) && all(lookup.texel <= vec2f(tile_size) - low);
-        let nearest = lookup.reference - dot(abs(lookup.gradient), low);
+        let nearest = lookup.reference - dot(abs(lookup.gradient), vec2f(UMBRAGE_PLANE_REACH));
         if inside && nearest >= 0.0 && lookup.reference <= 1.0 {
             return i;
         }
