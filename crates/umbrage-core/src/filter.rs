@@ -68,25 +68,21 @@ pub enum Filter {
 impl Filter {
     /// What is stored instead of depth, of a map that is `depth_metres` deep; `None` where depths themselves are read.
     pub fn moments(&self, depth_metres: f32) -> Option<Moments> {
-        let variance = |deviation: f32| (deviation / depth_metres.max(f32::MIN_POSITIVE)).powi(2);
+        let least_variance = (self.least_deviation_metres() / depth_metres.max(f32::MIN_POSITIVE)).powi(2);
         match self {
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
             Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
             Self::Footprint(_) | Self::Pcss(_) => None,
-            Self::Vsm(Variance { least_deviation, bleed, .. })
-            | Self::Savsm(SummedVariance { least_deviation, bleed, .. }) => {
-                let least_variance = variance(*least_deviation);
+            Self::Vsm(Variance { bleed, .. }) | Self::Savsm(SummedVariance { bleed, .. }) => {
                 Some(Moments::Vsm(moments::Vsm { least_variance, bleed: *bleed }))
             }
             Self::Esm(of) => Some(Moments::Esm(moments::Esm { exponent: of.exponent })),
             Self::Evsm2(of) => {
                 let (exponent, _) = of.exponents();
-                let least_variance = variance(of.least_deviation);
                 Some(Moments::Evsm2(moments::Evsm2 { exponent, least_variance, bleed: of.bleed }))
             }
             Self::Evsm4(of) => {
                 let (positive, negative) = of.exponents();
-                let least_variance = variance(of.least_deviation);
                 Some(Moments::Evsm4(moments::Evsm4 { positive, negative, least_variance, bleed: of.bleed }))
             }
             Self::Msm(of) => Some(Moments::Msm(Msm {
@@ -97,6 +93,19 @@ impl Filter {
                 }
             })),
             Self::Mssm(of) => Some(Moments::Msm(Msm { bleed: of.bleed, ..Msm::in_steps(self.sum_steps()) })),
+        }
+    }
+
+    /// The least deviation of depth that its moments count with, metres; 0 where it asks for none.
+    pub fn least_deviation_metres(&self) -> f32 {
+        match self {
+            Self::Vsm(Variance { least_deviation, .. })
+            | Self::Savsm(SummedVariance { least_deviation, .. })
+            | Self::Evsm2(ExponentialVariance { least_deviation, .. })
+            | Self::Evsm4(ExponentialVariance { least_deviation, .. }) => *least_deviation,
+            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => 0.0,
+            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => 0.0,
+            Self::Footprint(_) | Self::Pcss(_) | Self::Esm(_) | Self::Msm(_) | Self::Mssm(_) => 0.0,
         }
     }
 

@@ -44,6 +44,11 @@ pub fn vogel(i: usize, count: usize) -> Vec2 {
     Vec2::from_angle(i as f32 * GOLDEN_ANGLE) * radius
 }
 
+/// All points of that spiral.
+pub fn spiral(count: u32) -> Vec<Vec2> {
+    (0..count as usize).map(|i| vogel(i, count as usize)).collect()
+}
+
 /// Point `i` of a square around the origin with side 1, and of another: even over both together (Roberts 2018, the sequence
 /// of the generalised golden ratio of four dimensions).
 pub fn two_squares(i: usize) -> Vec4 {

@@ -33,19 +33,21 @@ impl MomentFormat {
         let narrow = |format, name| Self { format, name, is_filterable: true, rounds: false };
         match filter {
             Filter::Esm(_) => wide(F::R32Float, "r32float"),
-            Filter::Evsm2(of) if of.precision == Precision::F16 && capabilities.writes_two_float16 => {
-                narrow(F::Rg16Float, "rg16float")
-            }
-            Filter::Evsm2(of) | Filter::Evsm4(of) if of.precision == Precision::F16 => {
-                narrow(F::Rgba16Float, "rgba16float")
-            }
-            Filter::Msm(of) if of.precision == MomentPrecision::U16 && capabilities.has_unorm16 => {
-                narrow(F::Rgba16Unorm, "rgba16unorm")
-            }
+            Filter::Vsm(_) => wide(F::Rg32Float, "rg32float"),
+            Filter::Evsm2(of) => match of.precision {
+                Precision::F32 => wide(F::Rg32Float, "rg32float"),
+                Precision::F16 if capabilities.writes_two_float16 => narrow(F::Rg16Float, "rg16float"),
+                Precision::F16 => narrow(F::Rgba16Float, "rgba16float"),
+            },
+            Filter::Evsm4(of) if of.precision == Precision::F16 => narrow(F::Rgba16Float, "rgba16float"),
             Filter::Msm(of) if of.precision == MomentPrecision::U16 => {
-                Self { rounds: true, ..wide(F::Rgba32Float, "rgba32float") }
+                if capabilities.has_unorm16 {
+                    narrow(F::Rgba16Unorm, "rgba16unorm")
+                } else {
+                    Self { rounds: true, ..wide(F::Rgba32Float, "rgba32float") }
+                }
             }
-            Filter::Vsm(_) | Filter::Evsm2(_) => wide(F::Rg32Float, "rg32float"),
+            // Those without moments of their own are not asked.
             _ => wide(F::Rgba32Float, "rgba32float"),
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use glam::{Vec2, Vec4};
-use umbrage_core::kernel::{POISSON, poisson, two_squares, vogel};
+use umbrage_core::kernel::{POISSON, spiral, two_squares};
 use umbrage_core::{Disc, Filter, RASTER_STEP_TEXELS, Reference, Seed, Select, Settings, Shade};
 
 use crate::capabilities::Capabilities;
@@ -90,9 +90,9 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
         Filter::Optimised { size } => {
             kernel(settings, *size, tap, include_str!("../shaders/filter/optimised.wgsl"), BELL_KERNEL)
         }
-        Filter::Poisson(of) => disc(of, include_str!("../shaders/points/fixed.wgsl"), tap, table(of)),
-        Filter::Stratified(of) => disc(of, include_str!("../shaders/points/picked.wgsl"), tap, table(of)),
-        Filter::Rotated(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, table(of)),
+        Filter::Poisson(of) => disc(of, include_str!("../shaders/points/fixed.wgsl"), tap, of.table()),
+        Filter::Stratified(of) => disc(of, include_str!("../shaders/points/picked.wgsl"), tap, of.table()),
+        Filter::Rotated(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, of.table()),
         Filter::Vogel(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, spiral(of.taps)),
         Filter::Footprint(of) => {
             let list: Vec<String> = (0..of.taps as usize).map(|i| vector(two_squares(i))).collect();
@@ -167,8 +167,8 @@ fn kernel(settings: &Settings, size: u32, tap: &str, with_sampler: &str, weights
 
 /// Points on a disc.
 fn disc(disc: &Disc, place: &str, tap: &str, of: Vec<Vec2>) -> Vec<String> {
-    let mut numbers =
-        points("UMBRAGE_POINTS", &of) + &points("UMBRAGE_TABLE", &POISSON_OF[usize::from(disc.centred)]());
+    let whole = Disc { taps: POISSON.len() as u32, ..*disc };
+    let mut numbers = points("UMBRAGE_POINTS", &of) + &points("UMBRAGE_TABLE", &whole.table());
     let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.len());
     let _ = writeln!(numbers, "const UMBRAGE_BAIL: bool = {};", disc.bail);
     let _ = writeln!(numbers, "const UMBRAGE_FARTHEST: f32 = {:?};", disc.farthest());
@@ -181,17 +181,6 @@ fn disc(disc: &Disc, place: &str, tap: &str, of: Vec<Vec2>) -> Vec<String> {
         include_str!("../shaders/filter/disc.wgsl"),
     ];
     [numbers, radius(disc.radius, disc.radius_texels)].into_iter().chain(files.map(text)).collect()
-}
-
-/// The whole table: as the tutorial has it, and centred.
-const POISSON_OF: [fn() -> Vec<Vec2>; 2] = [|| POISSON.to_vec(), || poisson(POISSON.len(), true).collect()];
-
-fn table(disc: &Disc) -> Vec<Vec2> {
-    poisson(disc.taps as usize, disc.centred).collect()
-}
-
-fn spiral(count: u32) -> Vec<Vec2> {
-    (0..count as usize).map(|i| vogel(i, count as usize)).collect()
 }
 
 fn points(name: &str, points: &[Vec2]) -> String {
@@ -256,15 +245,9 @@ fn summed(settings: &Settings) -> String {
         + &moments_wgsl(&moments)
 }
 
-/// The least deviation that a map of moments counts with, metres; 0 where it asks for none.
+/// The least deviation that moments count with.
 fn least_deviation(filter: &Filter) -> String {
-    let metres = match filter {
-        Filter::Vsm(of) => of.least_deviation,
-        Filter::Savsm(of) => of.least_deviation,
-        Filter::Evsm2(of) | Filter::Evsm4(of) => of.least_deviation,
-        _ => 0.0,
-    };
-    format!("const UMBRAGE_LEAST_DEVIATION: f32 = {metres:?};\n")
+    format!("const UMBRAGE_LEAST_DEVIATION: f32 = {:?};\n", filter.least_deviation_metres())
 }
 
 #[cfg(test)]

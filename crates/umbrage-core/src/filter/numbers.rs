@@ -1,5 +1,8 @@
 //! What filters are given: their numbers, with units, ranges and defaults.
 
+use glam::Vec2;
+
+use crate::kernel::poisson;
 use crate::moments::{Exponent, Precision};
 
 /// Points on a disc around the receiver that are compared.
@@ -280,6 +283,11 @@ impl Disc {
 }
 
 impl Disc {
+    /// Its points of the tutorial's table.
+    pub fn table(&self) -> Vec<Vec2> {
+        poisson(self.taps as usize, self.centred).collect()
+    }
+
     /// How far its farthest point lies from the receiver, in radii: the tutorial's own table leaves its disc.
     pub fn farthest(&self) -> f32 {
         if self.centred { 1.0 } else { 1.25 }

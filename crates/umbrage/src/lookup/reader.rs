@@ -5,7 +5,7 @@
 
 use glam::{Mat2, Vec2, Vec3, Vec4, Vec4Swizzles as _};
 use umbrage_core::kernel::{
-    POISSON, gaussian, interleaved_gradient_noise, picked, poisson, two_squares, vogel, world_noise,
+    POISSON, gaussian, interleaved_gradient_noise, picked, poisson, spiral, two_squares, world_noise,
 };
 use umbrage_core::{
     Disc, Filter, Moments, Pcss, Prefilter, Reference, Seed, Settings, ShadowPlan, ShadowView, SoftMoments,
@@ -41,15 +41,15 @@ impl Reader<'_> {
             Filter::Optimised { size: 3 } => self.kernel(&[1.0, 2.0, 1.0]),
             Filter::Optimised { size: 5 } => self.kernel(&[1.0, 3.0, 4.0, 3.0, 1.0]),
             Filter::Optimised { .. } => self.kernel(&[1.0, 5.0, 12.0, 16.0, 12.0, 5.0, 1.0]),
-            Filter::Poisson(disc) => self.disc(disc, &table(disc), |_, point| point),
+            Filter::Poisson(disc) => self.disc(disc, &disc.table(), |_, point| point),
             Filter::Stratified(disc) => {
                 let all: Vec<Vec2> = poisson(POISSON.len(), disc.centred).collect();
                 let noise = noise(disc.seed);
-                self.disc(disc, &table(disc), |i, _| all[picked(i, noise)])
+                self.disc(disc, &disc.table(), |i, _| all[picked(i, noise)])
             }
             Filter::Rotated(disc) => {
                 let turn = turn(noise(disc.seed));
-                self.disc(disc, &table(disc), |_, point| turn.rotate(point))
+                self.disc(disc, &disc.table(), |_, point| turn.rotate(point))
             }
             Filter::Vogel(disc) => {
                 let turn = turn(noise(disc.seed));
@@ -279,16 +279,6 @@ const CORNERS: [Vec2; 4] = {
     let half = std::f32::consts::FRAC_1_SQRT_2;
     [Vec2::new(half, half), Vec2::new(-half, half), Vec2::new(-half, -half), Vec2::new(half, -half)]
 };
-
-/// The points of a disc's table.
-fn table(disc: &Disc) -> Vec<Vec2> {
-    poisson(disc.taps as usize, disc.centred).collect()
-}
-
-/// So many points of the spiral.
-fn spiral(count: u32) -> Vec<Vec2> {
-    (0..count as usize).map(|i| vogel(i, count as usize)).collect()
-}
 
 /// The turn of a place with this noise, as a unit vector.
 fn turn(noise: f32) -> Vec2 {
