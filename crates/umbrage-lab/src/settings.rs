@@ -182,7 +182,7 @@ mod tests {
             ("lambda=nan", "lambda", "from 0 to 1"),
             ("filter.kind=blur", "filter.kind", "blur"),
             ("filter.kind=pcf", "filter.size", "missing field"),
-            ("filter.size=3", "filter.size", "unknown field"),
+            ("filter.taps=3", "filter.taps", "unknown field"),
             ("bias.normale=3", "bias.normale", "unknown field"),
             ("manual=[1.0, inf]", "manual", "finite"),
             ("scheme=manual", "manual", "rising"),
