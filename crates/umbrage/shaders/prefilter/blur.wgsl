@@ -15,27 +15,37 @@ fn umbrage_blur(origin: vec2i, texel: vec2i, side: i32, step: vec2i) -> vec4f {
     return sum;
 }
 
+/// A view's square of moments: its first texel, and texels a side.
+struct UmbrageSquare {
+    origin: vec2i,
+    side: i32,
+}
+
+fn umbrage_square() -> UmbrageSquare {
+    let view_index = umbrage_prefilter_view.x;
+    let origin = vec2i(umbrage_frame.views[view_index].tile_origin);
+    let side = i32(umbrage_frame.views[view_index].tile_size);
+    return UmbrageSquare(origin / i32(UMBRAGE_SHRINK), side / i32(UMBRAGE_SHRINK));
+}
+
 @compute @workgroup_size(64)
 fn across(@builtin(global_invocation_id) id: vec3u) {
-    let view_index = umbrage_prefilter_view.x;
-    let side = i32(umbrage_frame.views[view_index].tile_size) / i32(UMBRAGE_SHRINK);
+    let square = umbrage_square();
     let texel = vec2i(id.xy);
-    if any(texel >= vec2i(side)) {
+    if any(texel >= vec2i(square.side)) {
         return;
     }
-    let origin = vec2i(umbrage_frame.views[view_index].tile_origin) / i32(UMBRAGE_SHRINK);
-    textureStore(umbrage_blurred, texel, umbrage_stored(umbrage_blur(origin, texel, side, vec2i(1, 0))));
+    let blurred = umbrage_blur(square.origin, texel, square.side, vec2i(1, 0));
+    textureStore(umbrage_blurred, texel, umbrage_stored(blurred));
 }
 
 @compute @workgroup_size(64)
 fn down(@builtin(global_invocation_id) id: vec3u) {
-    let view_index = umbrage_prefilter_view.x;
-    let side = i32(umbrage_frame.views[view_index].tile_size) / i32(UMBRAGE_SHRINK);
+    let square = umbrage_square();
     let texel = vec2i(id.xy);
-    if any(texel >= vec2i(side)) {
+    if any(texel >= vec2i(square.side)) {
         return;
     }
-    let origin = vec2i(umbrage_frame.views[view_index].tile_origin) / i32(UMBRAGE_SHRINK);
-    let blurred = umbrage_blur(vec2i(0), texel, side, vec2i(0, 1));
-    textureStore(umbrage_blurred, origin + texel, umbrage_stored(blurred));
+    let blurred = umbrage_blur(vec2i(0), texel, square.side, vec2i(0, 1));
+    textureStore(umbrage_blurred, square.origin + texel, umbrage_stored(blurred));
 }
