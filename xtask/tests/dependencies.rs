@@ -45,6 +45,29 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "umbrage-viewer",
+        &[
+            "umbrage",
+            "umbrage-scene",
+            "umbrage-render",
+            "umbrage-judge",
+            "umbrage-lab",
+            "eframe",
+            "egui_plot",
+            "glam",
+            "image",
+            "rfd",
+            "thiserror",
+            "toml",
+            "web-time",
+            "wgpu",
+            // in a browser
+            "wasm-bindgen",
+            "wasm-bindgen-futures",
+            "web-sys",
+        ],
+    ),
+    (
         "umbrage-cli",
         &[
             "umbrage",
@@ -52,6 +75,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "umbrage-render",
             "umbrage-judge",
             "umbrage-lab",
+            "umbrage-viewer",
             "clap",
             "anyhow",
             "indicatif",
