@@ -71,7 +71,7 @@ pub struct Judged {
 pub struct Laboratory<'a> {
     scene: &'a Scene,
     gpu: &'a Gpu,
-    renderer: Renderer<'a>,
+    renderer: Renderer,
     /// The scene's triangles, at the time they were last needed.
     world: Option<(f32, Arc<World>)>,
     truths: Truths,
@@ -98,7 +98,7 @@ impl<'a> Laboratory<'a> {
     }
 
     /// What draws the scene.
-    pub fn renderer(&mut self) -> &mut Renderer<'a> {
+    pub fn renderer(&mut self) -> &mut Renderer {
         &mut self.renderer
     }
 
@@ -283,6 +283,7 @@ impl Shot {
         let lamps = lights.iter().map(|light| lamp(light, *seconds));
         Ok(Frame {
             camera: umbrage_render::camera(camera, *width as f32 / *height as f32)?,
+            planned_for: None,
             lamps: lamps.collect::<Result<_, RenderError>>()?,
             seconds: *seconds,
             width: *width,

@@ -67,6 +67,7 @@ fn frame(camera: &Camera, width: u32) -> Frame {
     Frame {
         camera: umbrage_render::camera(camera, 1.0).expect("a good camera"),
         lamps: vec![umbrage_render::lamp(&Lamp::sun(Vec3::NEG_Y, 1.0), 0.0).expect("a good sun")],
+        planned_for: None,
         seconds: 0.0,
         width,
         height: width,
@@ -130,7 +131,7 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
 }
 
 /// What is true of the picture that was just drawn, and how wrong it is.
-fn judged(world: &World, camera: &Camera, renderer: &Renderer<'_>, texel: f32) -> (Truth, Edges, Error) {
+fn judged(world: &World, camera: &Camera, renderer: &Renderer, texel: f32) -> (Truth, Edges, Error) {
     let picture = renderer.picture().expect("a picture");
     let visibility: Vec<f32> = picture.rgba.iter().step_by(4).map(|v| f32::from(*v) / 255.0).collect();
     let truth = Truth::new(world, &Eye::new(camera, PIXELS, PIXELS), &Light::sun(Vec3::NEG_Y), 100.0);

@@ -23,8 +23,8 @@ struct Scene {
     asked: u32,
     /// Unit, in world space, for the sky.
     direction_to_sun: vec3f,
-    /// 1 where splits are tinted, 0 where not.
-    tint: f32,
+    /// What is drawn onto surfaces: 0 nothing, 1 a tint for each split, 2 the map's texels, 3 how far texels reach.
+    mark: u32,
     /// Linear RGB of the sun's light on a surface that faces it.
     sun: vec3f,
     lamp_count: u32,
@@ -154,6 +154,65 @@ fn split_colour(split: u32) -> vec3f {
     return colours[split % 9u];
 }
 
+/// A chequer of the map's texels, dark and light. Where texels are about as small as pixels it fades to its mean: what
+/// remains would only be a moiré.
+fn texel_chequer(texel: vec2f, footprint: mat2x2f) -> f32 {
+    let texels_a_pixel = abs(footprint[0]) + abs(footprint[1]);
+    let cell = (i32(floor(texel.x)) + i32(floor(texel.y))) & 1;
+    let clear = 1.0 - smoothstep(0.25, 1.0, max(texels_a_pixel.x, texels_a_pixel.y));
+    return mix(0.5, f32(cell), clear);
+}
+
+/// How many pixels a texel reaches over where it reaches farthest: the inverse of the least that a pixel does.
+fn texel_extent(footprint: mat2x2f) -> f32 {
+    let half_square = 0.5 * (dot(footprint[0], footprint[0]) + dot(footprint[1], footprint[1]));
+    let area = determinant(footprint);
+    let largest = half_square + sqrt(max(half_square * half_square - area * area, 0.0));
+    // The smaller singular value is the area over the larger one.
+    return sqrt(largest) / max(abs(area), 1e-30);
+}
+
+/// White where a texel is a pixel long, orange where longer, blue where shorter; full from eight times on. As light, for
+/// the bytes that `umbrage-lab` has for the same.
+fn extent_colour(pixels: f32) -> vec3f {
+    let stops = clamp(log2(pixels) / 3.0, -1.0, 1.0);
+    let end = select(vec3f(0.0, 90.0, 200.0), vec3f(230.0, 120.0, 0.0), stops > 0.0) / 255.0;
+    return pow(mix(vec3f(1.0), end, abs(stops)), vec3f(2.2));
+}
+
+/// What a receiver's pixel covers of a view's map.
+fn footprint_of(view: u32, receiver: Receiver, facing: vec3f) -> mat2x2f {
+    let world = scene.eye + receiver.from_eye;
+    let lookup = umbrage_lookup(view, 0u, world, facing);
+    return umbrage_footprint(lookup, UmbrageReceiver(world, facing, receiver.clip.xy, umbrage_view_depth(world)));
+}
+
+/// How far the texels of the first lamp reach, as a colour without light; dark where no map serves.
+fn extent_seen(receiver: Receiver, facing: vec3f) -> vec3f {
+    let view = umbrage_view_of(0u, scene.eye + receiver.from_eye, facing);
+    if view == UMBRAGE_NO_VIEW {
+        return vec3f(0.009);
+    }
+    return extent_colour(texel_extent(footprint_of(view, receiver, facing)));
+}
+
+/// A surface's own colour, with something about the first lamp's maps drawn onto it.
+fn marked(base: vec3f, receiver: Receiver, facing: vec3f) -> vec3f {
+    let world = scene.eye + receiver.from_eye;
+    let view = umbrage_view_of(0u, world, facing);
+    if view == UMBRAGE_NO_VIEW {
+        return base;
+    }
+    if scene.mark == 1u {
+        return mix(base, split_colour(view - umbrage_frame.lights[0].first_view), 0.6);
+    }
+    // Where the receiver is, not where it looks: a bias may look beside.
+    let clip = umbrage_frame.views[view].clip_from_world * vec4f(world, 1.0);
+    let texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * umbrage_frame.views[view].tile_size;
+    let tint = split_colour(view - umbrage_frame.lights[0].first_view);
+    return mix(mix(base, tint, 0.35) * 0.35, mix(base, vec3f(0.9), 0.6), texel_chequer(texel, footprint_of(view, receiver, facing)));
+}
+
 /// Distance after which haze takes half of a surface's colour, metres.
 const HAZE_HALVES_AT: f32 = 2500.0;
 
@@ -164,12 +223,11 @@ fn shade(receiver: Receiver) -> @location(0) vec4f {
     let smooth_normal = receiver.normal * inverseSqrt(max(dot(receiver.normal, receiver.normal), 1e-30));
     let normal = select(-smooth_normal, smooth_normal, dot(smooth_normal, facing) >= 0.0);
     var base = base_colour.rgb * texture.rgb;
-    if scene.tint > 0.0 {
-        let world = scene.eye + receiver.from_eye;
-        let view = umbrage_view_of(0u, world, facing);
-        if view != UMBRAGE_NO_VIEW {
-            base = mix(base, split_colour(view - umbrage_frame.lights[0].first_view), 0.6 * scene.tint);
-        }
+    if scene.mark == 3u {
+        return vec4f(extent_seen(receiver, facing), 1.0);
+    }
+    if scene.mark != 0u {
+        base = marked(base, receiver, facing);
     }
     var light = base * ambient_light(normal);
     for (var i = 0u; i < scene.lamp_count; i++) {

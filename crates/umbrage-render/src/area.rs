@@ -7,10 +7,9 @@
 //! A sun is a disc that is seen under an angle. A lamp is a ball: samples of it, seen from anywhere, are spread evenly
 //! over the disc that it looks like, for they are the 3-sphere's without their fourth coordinate (Archimedes).
 
-use std::time::Instant;
-
 use glam::Vec3;
 use umbrage::{Light, LightError, Rays};
+use web_time::Instant;
 
 use crate::convert::WIDEST_HALF_ANGLE;
 use crate::error::RenderError;
@@ -96,7 +95,7 @@ fn place(sample: u32, samples: u32) -> Vec3 {
     Vec3::new((across * cosine) as f32, (across * sine) as f32, deep as f32)
 }
 
-impl Renderer<'_> {
+impl Renderer {
     /// Draws the visibility of one of a frame's lamps as if it had some size. The frame says from where, when and how
     /// large; what it shows does not matter.
     ///
@@ -113,10 +112,11 @@ impl Renderer<'_> {
                 lamps: vec![Lamp { light: area.moved(&lamp.light, sample)?, ..lamp }],
                 show: Show::Visibility(0),
                 camera: frame.camera,
+                planned_for: None,
                 ..*frame
             };
             times += self.render(&moved)?.times;
-            let (gpu, picture) = (self.gpu, &self.drawn()?.resolved_view);
+            let (gpu, picture) = (&self.gpu, &self.drawn()?.resolved_view);
             let sums = match &sums {
                 Some(sums) => sums,
                 None => sums.insert(Sums::new(gpu, picture, [frame.width, frame.height])?),
@@ -124,7 +124,7 @@ impl Renderer<'_> {
             sums.add(gpu);
         }
         let mut visibility = match sums {
-            Some(sums) => sums.read(self.gpu)?,
+            Some(sums) => sums.read(&self.gpu)?,
             None => Vec::new(),
         };
         visibility.iter_mut().for_each(|sum| *sum /= area.samples as f32);

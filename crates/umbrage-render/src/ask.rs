@@ -49,7 +49,7 @@ pub(crate) struct Asking {
     pipeline: wgpu::ComputePipeline,
 }
 
-impl Renderer<'_> {
+impl Renderer {
     /// How much of a lamp's light the shadow maps of the last frame let through to points, from 0 to 1. Whether the
     /// camera sees them does not matter.
     ///
@@ -62,10 +62,10 @@ impl Renderer<'_> {
         }
         let SeenFrom { clip_from_world, size, lamps: _ } = seen_from;
         let asked = Asked { clip_from_world, size, lamp: lamp as u32 };
-        let asking = self.asking.get_or_insert_with(|| Asking::new(self.gpu, &self.shadows));
+        let asking = self.asking.get_or_insert_with(|| Asking::new(&self.gpu, &self.shadows));
         let mut answers = Vec::with_capacity(points.len());
         for points in points.chunks(MOST_AT_ONCE) {
-            answers.extend(asking.ask(self.gpu, &self.shadows, &asked, points)?);
+            answers.extend(asking.ask(&self.gpu, &self.shadows, &asked, points)?);
         }
         Ok(answers)
     }

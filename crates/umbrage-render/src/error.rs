@@ -55,6 +55,14 @@ pub enum RenderError {
         /// How many there are.
         lamps: usize,
     },
+    /// A view that the last frame's plan does not have.
+    #[error("there is no shadow view {view}; the last frame has {views}, counted from 0")]
+    NoSuchView {
+        /// Which was asked for.
+        view: usize,
+        /// How many there are.
+        views: usize,
+    },
     /// Too many samples of a light of some size, or none.
     #[error("an area light needs from 1 to {most} samples, got {got}")]
     AreaSamples {
@@ -78,6 +86,14 @@ pub enum RenderError {
     /// The shadow maps cannot be made or read.
     #[error(transparent)]
     Shadows(#[from] ShadowError),
+    /// OpenGL cannot show what was drawn as sRGB.
+    #[error(
+        "the adapter {adapter} cannot show pictures in a window; use a Vulkan, Metal, DX12 or WebGPU adapter"
+    )]
+    NoWindow {
+        /// Its name.
+        adapter: String,
+    },
     /// The device stopped answering.
     #[error("the graphics device failed: {0}")]
     Device(String),

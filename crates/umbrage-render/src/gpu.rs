@@ -4,8 +4,8 @@ use umbrage::Capabilities;
 
 use crate::error::RenderError;
 
-/// An adapter, its device and its queue.
-#[derive(Debug)]
+/// An adapter, its device and its queue. A clone is the same device.
+#[derive(Clone, Debug)]
 pub struct Gpu {
     /// What resources are made with.
     pub device: wgpu::Device,
@@ -30,11 +30,13 @@ pub struct AdapterDescription {
     pub timestamps: bool,
     /// Whether casters can be flattened onto near planes.
     pub unclipped_depth: bool,
+    /// Whether a picture can be seen as other numbers than it was drawn as: what windows need.
+    pub view_formats: bool,
 }
 
 impl std::fmt::Display for AdapterDescription {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { name, backend, kind, driver, timestamps: _, unclipped_depth: _ } = self;
+        let Self { name, backend, kind, driver, timestamps: _, unclipped_depth: _, view_formats: _ } = self;
         write!(f, "{name} ({kind}, {backend}, {driver})")
     }
 }
@@ -62,6 +64,7 @@ fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
         driver: [info.driver, info.driver_info].join(" ").trim().to_owned(),
         timestamps: adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY),
         unclipped_depth: adapter.features().contains(wgpu::Features::DEPTH_CLIP_CONTROL),
+        view_formats: adapter.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::VIEW_FORMATS),
     }
 }
 
@@ -112,16 +115,27 @@ impl Gpu {
             RenderError::NoSuchAdapter { wanted: wanted.unwrap_or_default().to_owned(), found: found() }
         })?;
         let description = describe(adapter);
-        let features =
-            Capabilities::wanted_features(adapter) | (adapter.features() & wgpu::Features::TIMESTAMP_QUERY);
-        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        let (device, queue) =
+            pollster::block_on(adapter.request_device(&Self::wanted_device(adapter))).map_err(|e| {
+                RenderError::NoDevice { adapter: description.name.clone(), reason: e.to_string() }
+            })?;
+        Ok(Self { device, queue, adapter: description })
+    }
+
+    /// What to ask an adapter's device for: all that shadows profit from, timestamps, and the adapter's own limits.
+    pub fn wanted_device(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+        wgpu::DeviceDescriptor {
             label: Some("Gpu::device"),
-            required_features: features,
+            required_features: Capabilities::wanted_features(adapter)
+                | (adapter.features() & wgpu::Features::TIMESTAMP_QUERY),
             required_limits: adapter.limits(),
             ..Default::default()
-        }))
-        .map_err(|e| RenderError::NoDevice { adapter: description.name.clone(), reason: e.to_string() })?;
-        Ok(Self { device, queue, adapter: description })
+        }
+    }
+
+    /// A device that somebody else has made, as a window does; best from [`Self::wanted_device`].
+    pub fn of_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
+        Self { device, queue, adapter: describe(adapter) }
     }
 
     /// Makes something large, and says so where there is no memory for it.
@@ -136,6 +150,10 @@ impl Gpu {
     where
         RenderError: From<E>,
     {
+        if cfg!(target_arch = "wasm32") {
+            // A page cannot wait for the scopes: what is refused reaches the device's own handler of errors.
+            return Ok(make()?);
+        }
         // What was refused for want of memory is invalid wherever it is used next: both are one failure.
         let invalid = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let no_memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
@@ -164,7 +182,7 @@ impl Gpu {
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, size);
         self.queue.submit([encoder.finish()]);
-        self.read_mapped(&copy, |bytes| {
+        self.read_mapped(copy, |bytes| {
             bytes.as_chunks().0.iter().map(|four| f32::from_ne_bytes(*four)).collect()
         })
     }
@@ -175,19 +193,12 @@ impl Gpu {
     /// When the device fails.
     pub(crate) fn read_mapped<T>(
         &self,
-        buffer: &wgpu::Buffer,
+        buffer: wgpu::Buffer,
         read: impl FnOnce(&[u8]) -> T,
     ) -> Result<T, RenderError> {
-        let failed = |error: &dyn std::fmt::Display| RenderError::Device(error.to_string());
-        let (sender, receiver) = std::sync::mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver lives until the result has come.
-            let _ = sender.send(result);
-        });
+        let coming = Coming::new(buffer);
         self.wait()?;
-        receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-        let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
-        Ok(read(&mapped))
+        coming.take(read).unwrap_or_else(|| Err(RenderError::Device("a buffer was not mapped".to_owned())))
     }
 
     /// Waits until everything that was handed over is done.
@@ -199,5 +210,35 @@ impl Gpu {
             .poll(wgpu::PollType::wait_indefinitely())
             .map(drop)
             .map_err(|e| RenderError::Device(e.to_string()))
+    }
+}
+
+/// The bytes of a buffer on their way to the CPU.
+#[derive(Debug)]
+pub(crate) struct Coming {
+    buffer: wgpu::Buffer,
+    mapped: std::sync::mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
+}
+
+impl Coming {
+    /// Asks for them: they come when everything that was handed over before is done.
+    pub fn new(buffer: wgpu::Buffer) -> Self {
+        let (sender, mapped) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // Whoever asked may have lost interest.
+            let _ = sender.send(result);
+        });
+        Self { buffer, mapped }
+    }
+
+    /// What `read` makes of them; `None` where they have not come yet.
+    pub fn take<T>(&self, read: impl FnOnce(&[u8]) -> T) -> Option<Result<T, RenderError>> {
+        let failed = |error: &dyn std::fmt::Display| RenderError::Device(error.to_string());
+        match self.mapped.try_recv() {
+            Err(std::sync::mpsc::TryRecvError::Empty) => None,
+            Err(error) => Some(Err(failed(&error))),
+            Ok(Err(error)) => Some(Err(failed(&error))),
+            Ok(Ok(())) => Some(self.buffer.get_mapped_range(..).map(|b| read(&b)).map_err(|e| failed(&e))),
+        }
     }
 }

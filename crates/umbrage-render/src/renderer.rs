@@ -1,19 +1,21 @@
 //! A scene, drawn: a plan, one caster pass for each of its views, one shading pass.
 
-use std::time::Instant;
+use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use umbrage::{Camera, Light, MapTexels, Settings, ShadowPlan, Shadows};
-use umbrage_scene::Scene;
+use umbrage_scene::{Instance, Scene};
+use web_time::{Duration, Instant};
 
 use crate::ask::{Asking, SeenFrom};
 use crate::casters::CasterPipelines;
 use crate::draws::{Draw, DrawLists, Materials, PartTable};
 use crate::error::RenderError;
 use crate::gpu::Gpu;
+use crate::map_picture::MapPainter;
 use crate::scene_buffers::{SceneBuffers, filled};
 use crate::shading::Shading;
-use crate::target::{Encoding, Picture, Target};
+use crate::target::{ComingPicture, Encoding, Picture, Target};
 use crate::timing::{CASTERS, FILTER, FrameTimes, PassTimer, SHADE, ViewLoad};
 
 /// A light that shades and casts shadows.
@@ -32,6 +34,8 @@ pub struct Lamp {
 pub struct Frame {
     /// From where.
     pub camera: Camera,
+    /// For which camera shadows are planned, where it is not the one that looks: to see from outside what a plan does.
+    pub planned_for: Option<Camera>,
     /// What shines, 16 at most.
     pub lamps: Vec<Lamp>,
     /// When, for things that move.
@@ -56,12 +60,24 @@ pub enum Show {
     /// The world with shadows that are given, and without drawing any: visibility, 0 to 1, of every pixel for the first
     /// lamp, then for the next. One sample a pixel.
     Given(Vec<f32>),
-    /// The world with its shadows, and what each view of the first lamp serves tinted.
-    Splits,
+    /// The world with its shadows, and something about the first lamp's maps drawn onto its surfaces.
+    Marked(Mark),
     /// How much of one lamp's light reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
     Visibility(usize),
     /// Nothing: the shadow maps alone are drawn, to be asked or read. The picture has one pixel.
     Nothing,
+}
+
+/// What can be drawn onto surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Which view serves them, as a tint.
+    Splits,
+    /// The texels of the map, as a chequer; where they are smaller than a pixel it fades to its mean.
+    Texels,
+    /// How many pixels a texel reaches over where it reaches farthest (m of Lloyd et al. 2006): white for one, orange for
+    /// more, blue for less, full from eight times on; dark where no map serves.
+    Extents,
 }
 
 impl Frame {
@@ -69,7 +85,7 @@ impl Frame {
     fn shadowed(&self) -> Vec<Light> {
         match self.show {
             Show::Unshadowed | Show::Given(_) => Vec::new(),
-            Show::World | Show::Splits | Show::Visibility(_) | Show::Nothing => {
+            Show::World | Show::Marked(_) | Show::Visibility(_) | Show::Nothing => {
                 self.lamps.iter().map(|lamp| lamp.light).collect()
             }
         }
@@ -87,18 +103,36 @@ pub struct Rendered {
     pub views: Vec<ViewLoad>,
 }
 
+/// A frame that was handed to the device.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The plan it is drawn with; without views where there are no shadows.
+    pub plan: ShadowPlan,
+    /// What is drawn into each view.
+    pub views: Vec<ViewLoad>,
+    /// How long planning, culling and upload took on the CPU, milliseconds.
+    pub plan_milliseconds: f64,
+}
+
 /// A scene on a device, with shadows.
 #[derive(Debug)]
-pub struct Renderer<'a> {
-    pub(crate) gpu: &'a Gpu,
-    scene: &'a Scene,
-    buffers: SceneBuffers,
+pub struct Renderer {
+    pub(crate) gpu: Gpu,
+    /// Of the scene: how they move.
+    instances: Arc<[Instance]>,
+    buffers: Arc<SceneBuffers>,
     parts: PartTable,
     pub(crate) shadows: Shadows,
     casters: CasterPipelines,
-    shading: Option<Shading>,
+    /// Pipelines and textures by how they encode colours, so that one does not cost the other.
+    shadings: [Option<Shading>; 2],
+    targets: [Option<Target>; 2],
+    /// That of the last frame.
+    encoding: Encoding,
     pub(crate) asking: Option<Asking>,
-    target: Option<Target>,
+    pub(crate) map_painter: Option<MapPainter>,
+    /// Of the last frame: how many texels a side each view's tile has.
+    pub(crate) views: Vec<u32>,
     /// Of the frame whose maps there are.
     pub(crate) seen_from: Option<SeenFrom>,
     timer: PassTimer,
@@ -107,25 +141,49 @@ pub struct Renderer<'a> {
     pub cull_parts: bool,
 }
 
-impl<'a> Renderer<'a> {
+impl Renderer {
     /// Uploads a scene, and makes shadow maps for one sun; there will be more when a frame needs them.
     ///
     /// # Errors
     /// When a setting is out of range, or something exceeds the adapter's limits.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: Settings) -> Result<Self, RenderError> {
-        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene))?;
+    pub fn new(gpu: &Gpu, scene: &Scene, settings: Settings) -> Result<Self, RenderError> {
+        let buffers = Arc::new(gpu.allocate("the scene", || SceneBuffers::new(gpu, scene))?);
+        Self::with_buffers(gpu, scene.instances.clone().into(), buffers, PartTable::new(scene), settings)
+    }
+
+    /// Another renderer of the same scene, to see it with other settings beside this one. Both share what the scene takes
+    /// on the device, so that both must draw the same time when their pictures are compared.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn beside(&self, settings: Settings) -> Result<Self, RenderError> {
+        let (instances, buffers) = (Arc::clone(&self.instances), Arc::clone(&self.buffers));
+        let other = Self::with_buffers(&self.gpu, instances, buffers, self.parts.clone(), settings)?;
+        Ok(Self { seconds: self.seconds, ..other })
+    }
+
+    fn with_buffers(
+        gpu: &Gpu,
+        instances: Arc<[Instance]>,
+        buffers: Arc<SceneBuffers>,
+        parts: PartTable,
+        settings: Settings,
+    ) -> Result<Self, RenderError> {
         let shadows = gpu.allocate("the shadow maps", || Shadows::new(&gpu.device, settings))?;
         let casters = CasterPipelines::new(gpu, &buffers, &shadows);
         Ok(Self {
-            gpu,
-            scene,
-            parts: PartTable::new(scene),
+            gpu: gpu.clone(),
+            instances,
+            parts,
             buffers,
             shadows,
             casters,
-            shading: None,
+            shadings: [None, None],
+            targets: [None, None],
+            encoding: Encoding::default(),
             asking: None,
-            target: None,
+            map_painter: None,
+            views: Vec::new(),
             seen_from: None,
             timer: PassTimer::new(gpu)?,
             seconds: 0.0,
@@ -144,10 +202,11 @@ impl<'a> Renderer<'a> {
     }
 
     fn use_shadows(&mut self, shadows: Shadows) {
-        self.casters = CasterPipelines::new(self.gpu, &self.buffers, &shadows);
+        self.casters = CasterPipelines::new(&self.gpu, &self.buffers, &shadows);
         self.shadows = shadows;
-        self.shading = None;
+        self.shadings = [None, None];
         self.asking = None;
+        self.views.clear();
         self.seen_from = None;
     }
 
@@ -163,17 +222,63 @@ impl<'a> Renderer<'a> {
     pub fn render(&mut self, frame: &Frame) -> Result<Rendered, RenderError> {
         self.prepare(frame)?;
         let start = Instant::now();
+        // Without timestamps the stages are timed one after the other.
+        let mut cast = Duration::ZERO;
+        let has_timestamps = self.gpu.adapter.timestamps;
+        let Drawn { plan, views, plan_milliseconds } = self.draw_in_stages(frame, |gpu| {
+            if !has_timestamps {
+                gpu.wait()?;
+            }
+            cast = start.elapsed();
+            Ok(())
+        })?;
+        self.gpu.wait()?;
+        let milliseconds = |duration: Duration| duration.as_secs_f64() * 1e3;
+        let frame = milliseconds(start.elapsed());
+        let cast = milliseconds(cast);
+        let [casters, filter, shade] =
+            self.timer.take(&self.gpu).unwrap_or([cast - plan_milliseconds, 0.0, frame - cast]);
+        Ok(Rendered {
+            plan,
+            times: FrameTimes { plan: plan_milliseconds, casters, filter, shade, frame },
+            views,
+        })
+    }
+
+    /// Hands a frame to the device, and does not wait: what a window does. [`Self::shown`] is its picture.
+    ///
+    /// # Errors
+    /// As [`Self::render`].
+    pub fn draw(&mut self, frame: &Frame) -> Result<Drawn, RenderError> {
+        self.draw_in_stages(frame, |_| Ok(()))
+    }
+
+    /// How long the passes of an earlier [`Self::draw`] took on the device, milliseconds: casters, filter, shading. Each
+    /// frame once, the oldest first; `None` where none is done, or the device has no timestamps. Never waits.
+    pub fn pass_times(&mut self) -> Option<[f64; 3]> {
+        self.timer.take(&self.gpu)
+    }
+
+    /// Draws a frame; `between` its casters and its receivers is the caller's.
+    fn draw_in_stages(
+        &mut self,
+        frame: &Frame,
+        between: impl FnOnce(&Gpu) -> Result<(), RenderError>,
+    ) -> Result<Drawn, RenderError> {
+        self.prepare(frame)?;
+        let start = Instant::now();
         if frame.seconds != self.seconds {
-            self.parts.move_to(&self.scene.instances, frame.seconds);
-            self.buffers.place(self.gpu, self.scene, frame.seconds);
+            self.parts.move_to(&self.instances, frame.seconds);
+            self.buffers.place(&self.gpu, &self.instances, frame.seconds);
             self.seconds = frame.seconds;
         }
-        let plan = self.shadows.plan(&frame.camera, &frame.shadowed(), &self.parts.bounds())?;
+        let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
+        let plan = self.shadows.plan(planned_for, &frame.shadowed(), &self.parts.bounds())?;
         let lists = self.draw_lists(&plan, &frame.camera);
         self.shadows.set_picture_size(frame.width, frame.height);
         self.shadows.upload(&self.gpu.queue, &plan);
         let numbers = bytemuck::cast_slice(&lists.instances);
-        let numbers = filled(self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
+        let numbers = filled(&self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
         let planned = start.elapsed();
 
         self.draw_casters(&plan, &lists, &numbers);
@@ -182,23 +287,13 @@ impl<'a> Renderer<'a> {
             size: Vec2::new(frame.width as f32, frame.height as f32),
             lamps: plan.lights().len(),
         });
-        // Without timestamps the stages are timed one after the other.
-        let has_timestamps = self.gpu.adapter.timestamps;
-        if !has_timestamps {
-            self.gpu.wait()?;
-        }
-        let cast = start.elapsed();
+        self.views.clear();
+        self.views.extend(plan.views().iter().map(|view| view.tile.size));
+        between(&self.gpu)?;
         let seen = lists.views.last().filter(|_| frame.show != Show::Nothing);
         let camera_draws = seen.map_or(&[][..], Vec::as_slice);
         self.draw_receivers(frame, &numbers, camera_draws)?;
-        self.gpu.wait()?;
-        let done = start.elapsed();
-
-        let milliseconds = |duration: std::time::Duration| duration.as_secs_f64() * 1e3;
-        let by_clock = [milliseconds(cast - planned), 0.0, milliseconds(done - cast)];
-        let [casters, filter, shade] = self.timer.finish(self.gpu)?.unwrap_or(by_clock);
-        let times =
-            FrameTimes { plan: milliseconds(planned), casters, filter, shade, frame: milliseconds(done) };
+        self.timer.end_frame()?;
         let load = |(view, draws): (&umbrage::ShadowView, &Vec<Draw>)| ViewLoad {
             light: view.light,
             split: view.split,
@@ -206,7 +301,7 @@ impl<'a> Renderer<'a> {
             triangles: draws.iter().map(Draw::triangles).sum(),
         };
         let views = plan.views().iter().zip(&lists.views).map(load).collect();
-        Ok(Rendered { plan, times, views })
+        Ok(Drawn { plan, views, plan_milliseconds: planned.as_secs_f64() * 1e3 })
     }
 
     /// The picture of the last frame.
@@ -214,12 +309,33 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// When the device fails, or nothing was drawn yet.
     pub fn picture(&self) -> Result<Picture, RenderError> {
-        self.drawn()?.read(self.gpu)
+        self.drawn()?.read(&self.gpu)
+    }
+
+    /// The same without waiting: ask it until it has come.
+    ///
+    /// # Errors
+    /// When nothing was drawn yet, or the picture exceeds the adapter's buffers.
+    pub fn coming_picture(&self) -> Result<ComingPicture, RenderError> {
+        self.drawn()?.request(&self.gpu)
+    }
+
+    /// The picture of the last frame as a window shows it: a texture of sRGB bytes, to be read as they are. It is another
+    /// one when the frame's size changes.
+    ///
+    /// # Errors
+    /// When nothing was drawn yet, or the adapter cannot show a picture so (GL).
+    pub fn shown(&self) -> Result<wgpu::TextureView, RenderError> {
+        if !self.gpu.adapter.view_formats {
+            let adapter = self.gpu.adapter.name.clone();
+            return Err(RenderError::NoWindow { adapter });
+        }
+        Ok(self.drawn()?.shown())
     }
 
     /// What the last frame was drawn into.
     pub(crate) fn drawn(&self) -> Result<&Target, RenderError> {
-        self.target.as_ref().ok_or_else(nothing_drawn)
+        self.targets[self.encoding as usize].as_ref().ok_or_else(nothing_drawn)
     }
 
     /// The shadow maps of the last frame.
@@ -242,21 +358,23 @@ impl<'a> Renderer<'a> {
         let (encoding, samples) = match frame.show {
             Show::Visibility(_) | Show::Nothing => (Encoding::Linear, 1),
             Show::Given(_) => (Encoding::Srgb, 1),
-            Show::World | Show::Unshadowed | Show::Splits => {
+            Show::World | Show::Unshadowed | Show::Marked(_) => {
                 (Encoding::Srgb, if frame.samples > 1 { 4 } else { 1 })
             }
         };
         let (width, height) = if frame.show == Show::Nothing { (1, 1) } else { (frame.width, frame.height) };
-        let fits =
-            |t: &Target| (t.width, t.height, t.encoding, t.samples) == (width, height, encoding, samples);
-        if !self.target.as_ref().is_some_and(fits) {
-            let make = || Target::new(self.gpu, width, height, encoding, samples);
-            self.target = Some(self.gpu.allocate("the picture", make)?);
+        let gpu = &self.gpu;
+        let target = &mut self.targets[encoding as usize];
+        if !target.as_ref().is_some_and(|t| (t.width, t.height, t.samples) == (width, height, samples)) {
+            *target = None;
+            let make = || Target::new(gpu, width, height, encoding, samples);
+            *target = Some(gpu.allocate("the picture", make)?);
         }
-        let suits = |s: &Shading| (s.encoding, s.samples) == (encoding, samples);
-        if !self.shading.as_ref().is_some_and(suits) {
-            self.shading = Some(Shading::new(self.gpu, &self.buffers, &self.shadows, encoding, samples)?);
+        let shading = &mut self.shadings[encoding as usize];
+        if !shading.as_ref().is_some_and(|s| s.samples == samples) {
+            *shading = Some(Shading::new(gpu, &self.buffers, &self.shadows, encoding, samples)?);
         }
+        self.encoding = encoding;
         Ok(())
     }
 
@@ -324,8 +442,11 @@ impl<'a> Renderer<'a> {
         draws: &[Draw],
     ) -> Result<(), RenderError> {
         let mut encoder = self.encoder();
-        let (Some(shading), Some(target)) = (&mut self.shading, &self.target) else { return Ok(()) };
-        shading.upload(self.gpu, &self.buffers, frame)?;
+        let kind = self.encoding as usize;
+        let (Some(shading), Some(target)) = (&mut self.shadings[kind], &self.targets[kind]) else {
+            return Ok(());
+        };
+        shading.upload(&self.gpu, &self.buffers, frame)?;
         if !frame.shadowed().is_empty() {
             shading.record_depth(&mut encoder, &self.timer, &self.buffers, numbers, draws);
         }

@@ -2,7 +2,7 @@
 
 use encase::{ShaderType, UniformBuffer};
 use glam::Vec4;
-use umbrage_scene::{Scene, Texture};
+use umbrage_scene::{Instance, Scene, Texture};
 
 use crate::error::RenderError;
 use crate::gpu::Gpu;
@@ -61,7 +61,7 @@ impl SceneBuffers {
             materials: materials(gpu, scene, &material_layout)?,
             material_layout,
         };
-        buffers.place(gpu, scene, 0.0);
+        buffers.place(gpu, &scene.instances, 0.0);
         Ok(buffers)
     }
 
@@ -74,12 +74,9 @@ impl SceneBuffers {
     }
 
     /// Writes where every instance stands at time `seconds`.
-    pub fn place(&self, gpu: &Gpu, scene: &Scene, seconds: f32) {
-        let matrices: Vec<[f32; 16]> = scene
-            .instances
-            .iter()
-            .map(|instance| instance.world_from_mesh_at(seconds).to_cols_array())
-            .collect();
+    pub fn place(&self, gpu: &Gpu, instances: &[Instance], seconds: f32) {
+        let matrices: Vec<[f32; 16]> =
+            instances.iter().map(|instance| instance.world_from_mesh_at(seconds).to_cols_array()).collect();
         gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&matrices));
     }
 }

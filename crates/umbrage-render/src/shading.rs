@@ -8,7 +8,7 @@ use crate::draws::Draw;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::prepass::Prepass;
-use crate::renderer::{Frame, Lamp, Show};
+use crate::renderer::{Frame, Lamp, Mark, Show};
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers, filled};
 use crate::target::{DEPTH_FORMAT, Encoding};
 use crate::timing::{PassTimer, SHADE};
@@ -30,7 +30,7 @@ struct SceneUniform {
     eye: Vec3,
     asked: u32,
     direction_to_sun: Vec3,
-    tint: f32,
+    mark: u32,
     sun: Vec3,
     lamp_count: u32,
     shown_lamp: u32,
@@ -51,7 +51,6 @@ const NIGHT: f32 = 0.04;
 /// Pipelines that shade a scene one way, for one kind of target.
 #[derive(Debug)]
 pub(crate) struct Shading {
-    pub encoding: Encoding,
     pub samples: u32,
     uniform: wgpu::Buffer,
     /// One number a pixel and lamp, where visibility is given.
@@ -128,7 +127,7 @@ impl Shading {
         let receivers = pipeline("receiver", shade, &RECEIVER_BUFFERS, wgpu::CompareFunction::Greater);
         let sky = pipeline("sky", sky_shade, &[], wgpu::CompareFunction::GreaterEqual);
         let prepass = contact.map(|contact| Prepass::new(gpu, contact, &module, &scene_layout));
-        Ok(Self { encoding, samples, uniform, given, layout: scene_layout, group, prepass, receivers, sky })
+        Ok(Self { samples, uniform, given, layout: scene_layout, group, prepass, receivers, sky })
     }
 
     /// Tells the GPU of a frame.
@@ -254,10 +253,15 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
         asked: match frame.show {
             Show::Unshadowed => NOBODY,
             Show::Given(_) => GIVEN,
-            Show::World | Show::Splits | Show::Visibility(_) | Show::Nothing => MAPS,
+            Show::World | Show::Marked(_) | Show::Visibility(_) | Show::Nothing => MAPS,
         },
         direction_to_sun: sun.map_or(Vec3::NEG_Y, |sun| sun.light.direction_from(Vec3::ZERO)),
-        tint: f32::from(u8::from(frame.show == Show::Splits)),
+        mark: match frame.show {
+            Show::Marked(Mark::Splits) => 1,
+            Show::Marked(Mark::Texels) => 2,
+            Show::Marked(Mark::Extents) => 3,
+            Show::World | Show::Unshadowed | Show::Given(_) | Show::Visibility(_) | Show::Nothing => 0,
+        },
         sun: sun.map_or(Vec3::ZERO, |sun| sun.colour),
         lamp_count: frame.lamps.len().min(MAX_LIGHTS) as u32,
         shown_lamp: if let Show::Visibility(lamp) = frame.show { lamp as u32 } else { 0 },

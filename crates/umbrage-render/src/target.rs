@@ -1,7 +1,7 @@
 //! Where a frame is drawn when there is no window, and the picture that comes of it.
 
 use crate::error::RenderError;
-use crate::gpu::Gpu;
+use crate::gpu::{Coming, Gpu};
 
 /// A picture on the CPU, rows from top to bottom: sRGB, or linear where it shows visibility.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,8 +15,9 @@ pub struct Picture {
 }
 
 /// What colour targets are. Visibility is drawn into the linear one, so that ½ is stored as 128.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Encoding {
+    #[default]
     Srgb,
     Linear,
 }
@@ -37,7 +38,6 @@ pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth3
 pub(crate) struct Target {
     pub width: u32,
     pub height: u32,
-    pub encoding: Encoding,
     pub samples: u32,
     resolved: wgpu::Texture,
     pub resolved_view: wgpu::TextureView,
@@ -57,6 +57,8 @@ impl Target {
         if width == 0 || height == 0 || width > most || height > most {
             return Err(RenderError::PictureSize { width, height, most });
         }
+        // As a window wants it: the bytes as they are, not the light that they stand for.
+        let bytes: &[_] = if gpu.adapter.view_formats { &[wgpu::TextureFormat::Rgba8Unorm] } else { &[] };
         let texture = |label, format, sample_count, usage| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -66,7 +68,7 @@ impl Target {
                 dimension: wgpu::TextureDimension::D2,
                 format,
                 usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
-                view_formats: &[],
+                view_formats: if format == wgpu::TextureFormat::Rgba8UnormSrgb { bytes } else { &[] },
             })
         };
         let none = wgpu::TextureUsages::empty();
@@ -76,16 +78,7 @@ impl Target {
         let multisampled =
             (samples > 1).then(|| view(&texture("Target::multisampled", encoding.format(), samples, none)));
         let depth = view(&texture("Target::depth", DEPTH_FORMAT, samples, none));
-        Ok(Self {
-            width,
-            height,
-            encoding,
-            samples,
-            resolved_view: view(&resolved),
-            resolved,
-            multisampled,
-            depth,
-        })
+        Ok(Self { width, height, samples, resolved_view: view(&resolved), resolved, multisampled, depth })
     }
 
     /// Starts a pass over the whole target: colour and (reversed) depth cleared.
@@ -127,9 +120,44 @@ impl Target {
         })
     }
 
+    /// The picture as a window shows it: sRGB bytes, to be read as they are.
+    pub fn shown(&self) -> wgpu::TextureView {
+        self.resolved.create_view(&wgpu::TextureViewDescriptor {
+            format: Some(wgpu::TextureFormat::Rgba8Unorm),
+            usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+            ..Default::default()
+        })
+    }
+
+    /// Starts to copy the picture to the CPU.
+    pub fn request(&self, gpu: &Gpu) -> Result<ComingPicture, RenderError> {
+        ComingPicture::of_texture(gpu, &self.resolved)
+    }
+
     /// Copies the picture to the CPU, and waits for it.
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
-        let Self { width, height, .. } = *self;
+        let coming = self.request(gpu)?;
+        gpu.wait()?;
+        coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())))
+    }
+}
+
+/// A picture on its way to the CPU.
+#[derive(Debug)]
+pub struct ComingPicture {
+    bytes: Coming,
+    width: u32,
+    height: u32,
+    stride: u32,
+}
+
+impl ComingPicture {
+    /// Starts to copy a texture of four bytes a texel to the CPU.
+    ///
+    /// # Errors
+    /// When it exceeds the adapter's buffers.
+    pub fn of_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Self, RenderError> {
+        let (width, height) = (texture.width(), texture.height());
         let stride = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(stride) * u64::from(height);
         let most = gpu.device.limits().max_buffer_size;
@@ -137,14 +165,14 @@ impl Target {
             return Err(RenderError::TooLarge { what: "picture", bytes: size, most });
         }
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("Target::read"),
+            label: Some("ComingPicture::buffer"),
             size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
-            self.resolved.as_image_copy(),
+            texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &buffer,
                 layout: wgpu::TexelCopyBufferLayout {
@@ -156,10 +184,19 @@ impl Target {
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         gpu.queue.submit([encoder.finish()]);
-        let rgba = gpu.read_mapped(&buffer, |bytes| {
-            let rows = bytes.chunks_exact(stride as usize);
-            rows.flat_map(|row| &row[..width as usize * 4]).copied().collect()
+        Ok(ComingPicture { bytes: Coming::new(buffer), width, height, stride })
+    }
+
+    /// The picture, once; `None` where it has not come yet. Never waits: poll the device, or submit, between two calls.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn take(&self) -> Option<Result<Picture, RenderError>> {
+        let Self { bytes, width, height, stride } = self;
+        let rgba = bytes.take(|bytes| {
+            let rows = bytes.chunks_exact(*stride as usize);
+            rows.flat_map(|row| &row[..*width as usize * 4]).copied().collect()
         })?;
-        Ok(Picture { width, height, rgba })
+        Some(rgba.map(|rgba| Picture { width: *width, height: *height, rgba }))
     }
 }

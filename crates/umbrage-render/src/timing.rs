@@ -103,24 +103,29 @@ impl PassTimer {
         }
     }
 
+    /// Ends a frame's queries: call it last, before the encoder is handed over.
     pub fn resolve(&mut self, encoder: &mut wgpu::CommandEncoder) {
         if let Some(profiler) = &mut self.profiler {
             profiler.resolve_queries(encoder);
         }
     }
 
-    /// Milliseconds of all passes labelled `CASTERS`, of those labelled `FILTER` and of those labelled `SHADE`, once the frame
-    /// is done. `None` where the device has no timestamps.
-    pub fn finish(&mut self, gpu: &Gpu) -> Result<Option<[f64; 3]>, RenderError> {
-        let Some(profiler) = &mut self.profiler else { return Ok(None) };
-        profiler.end_frame().map_err(|e| RenderError::Device(e.to_string()))?;
-        gpu.wait()?;
-        let results = profiler.process_finished_frame(gpu.queue.get_timestamp_period()).unwrap_or_default();
+    /// The frame was handed over.
+    pub fn end_frame(&mut self) -> Result<(), RenderError> {
+        let Some(profiler) = &mut self.profiler else { return Ok(()) };
+        profiler.end_frame().map_err(|e| RenderError::Device(e.to_string()))
+    }
+
+    /// Milliseconds of all passes labelled `CASTERS`, of those labelled `FILTER` and of those labelled `SHADE`, of the
+    /// oldest frame that is done and was not asked for yet. `None` where there is none, or the device has no timestamps.
+    pub fn take(&mut self, gpu: &Gpu) -> Option<[f64; 3]> {
+        let period = gpu.queue.get_timestamp_period();
+        let results = self.profiler.as_mut()?.process_finished_frame(period)?;
         let total = |label: &str| -> f64 {
             let spans = results.iter().filter(|result| result.label == label);
             spans.filter_map(milliseconds).sum()
         };
-        Ok(Some([CASTERS, FILTER, SHADE].map(total)))
+        Some([CASTERS, FILTER, SHADE].map(total))
     }
 }
 

@@ -35,8 +35,16 @@ fn the_maps_say_what_the_lookup_in_rust_says() {
         let camera = umbrage_render::camera(&scene.cameras[0], 1.6).expect("a good camera");
         let lamps =
             scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
-        let frame =
-            Frame { camera, lamps, seconds: 0.0, width: 160, height: 100, samples: 1, show: Show::Nothing };
+        let frame = Frame {
+            camera,
+            planned_for: None,
+            lamps,
+            seconds: 0.0,
+            width: 160,
+            height: 100,
+            samples: 1,
+            show: Show::Nothing,
+        };
         let plan = renderer.render(&frame).expect("a frame").plan;
         assert_eq!(renderer.picture().expect("a picture").rgba.len(), 4, "no picture is drawn");
         let maps = renderer.maps().expect("maps");

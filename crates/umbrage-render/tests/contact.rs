@@ -62,7 +62,16 @@ fn visibility(gpu: &Gpu, scene: &Scene, camera: Camera, light: Light, contact: O
     let mut renderer = Renderer::new(gpu, scene, settings).expect("a renderer");
     let lamps = vec![Lamp { light, colour: Vec3::ONE, cone: [0.0; 2] }];
     let show = Show::Visibility(0);
-    let frame = Frame { camera, lamps, seconds: 0.0, width: WIDTH, height: HEIGHT, samples: 1, show };
+    let frame = Frame {
+        camera,
+        planned_for: None,
+        lamps,
+        seconds: 0.0,
+        width: WIDTH,
+        height: HEIGHT,
+        samples: 1,
+        show,
+    };
     renderer.render(&frame).expect("a frame");
     renderer.picture().expect("a picture").rgba.into_iter().step_by(4).collect()
 }

@@ -7,7 +7,7 @@ mod large_gltf;
 
 use glam::{Mat4, Vec3};
 use umbrage_render::umbrage::{Bias, CasterFaces, Filter, MapTexels, Select, Settings};
-use umbrage_render::{Frame, Gpu, Picture, Rendered, Renderer, Show};
+use umbrage_render::{Frame, Gpu, Mark, Picture, Rendered, Renderer, Show};
 use umbrage_scene::{Scene, load_glb_bytes, to_glb, worlds};
 
 fn frame(scene: &Scene, show: Show) -> Frame {
@@ -15,7 +15,7 @@ fn frame(scene: &Scene, show: Show) -> Frame {
     let camera =
         umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a good camera");
     let lamps = scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
-    Frame { camera, lamps, seconds: 0.0, width, height, samples: 1, show }
+    Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show }
 }
 
 fn draw(gpu: &Gpu, scene: &Scene, settings: Settings, cull_parts: bool) -> (Rendered, Picture, MapTexels) {
@@ -136,8 +136,12 @@ fn pictures_show_shadow_sky_and_splits_where_they_should() {
         renderer.render(&frame(&scene, show)).expect("a frame");
         renderer.picture().expect("a picture").rgba
     };
-    let (world, plain, splits, visibility) =
-        (shown(Show::World), shown(Show::Unshadowed), shown(Show::Splits), shown(Show::Visibility(0)));
+    let (world, plain, splits, visibility) = (
+        shown(Show::World),
+        shown(Show::Unshadowed),
+        shown(Show::Marked(Mark::Splits)),
+        shown(Show::Visibility(0)),
+    );
     let (mut shadowed, mut lit, mut tinted) = (0, 0, 0);
     for i in (0..world.len()).step_by(4) {
         let (world, plain, splits) = (&world[i..i + 3], &plain[i..i + 3], &splits[i..i + 3]);

@@ -27,7 +27,7 @@ fn draw(gpu: &Gpu, world: &str, show: Show) -> GrayImage {
     let camera =
         umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a good camera");
     let lamps = scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
-    let frame = Frame { camera, lamps, seconds: 0.0, width, height, samples: 1, show };
+    let frame = Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show };
     let mut renderer = Renderer::new(gpu, &scene, Settings::default()).expect("a renderer");
     renderer.render(&frame).expect("a frame");
     let picture = renderer.picture().expect("a picture");

@@ -49,4 +49,4 @@ pub use maps::MapTexels;
 pub use moments::{moments_wgsl, msm_blocker_wgsl};
 pub use shadows::Shadows;
 pub use umbrage_core::*;
-pub use wgsl::{caster_wgsl, receiver_wgsl};
+pub use wgsl::{caster_wgsl, map_wgsl, receiver_wgsl};

@@ -296,6 +296,16 @@ impl Shadows {
         self.maps.layout
     }
 
+    /// All layers of the maps, as `texture_depth_2d_array`: to look at, or to read in a shader of your own.
+    pub fn maps(&self) -> &wgpu::TextureView {
+        &self.maps.all
+    }
+
+    /// What [`Self::upload`] writes, as the storage buffer `umbrage_frame` of [`map_wgsl`](crate::map_wgsl): for a shader of your own.
+    pub fn frame(&self) -> &wgpu::Buffer {
+        &self.frame
+    }
+
     /// Copies all maps to the CPU, and waits for them.
     ///
     /// # Errors

@@ -27,6 +27,12 @@ pub fn caster_wgsl() -> String {
     [FRAME, CASTER].join("\n")
 }
 
+/// WGSL for a shader of your own that looks into the maps: the views and the lights, in `umbrage_frame` (binding 0 of
+/// group 0), and `umbrage_even_depth(view_index, texel, stored) -> f32`, what a stored depth is worth.
+pub fn map_wgsl() -> String {
+    [FRAME, DEPTH].join("\n")
+}
+
 /// WGSL for a receiver's fragment shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
 /// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`. Its bindings are group
 /// `group` of the pipeline. The text depends on `select`, `blend`, `filter`, `warp`, `bias.receiver_plane`
@@ -52,7 +58,9 @@ pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32
         Shade::Colour { .. } => include_str!("../shaders/shade/colour.wgsl"),
     };
     let mut text = vec![FRAME.to_owned(), constants(settings)];
-    text.extend([FOOTING, RECEIVER, select, reference, blend[0], blend[1], shade].map(str::to_owned));
+    text.extend(
+        [FOOTING, RECEIVER, FOOTPRINT, select, reference, blend[0], blend[1], shade].map(str::to_owned),
+    );
     text.extend(filter(settings, capabilities));
     text.join("\n").replace("@group(0)", &format!("@group({group})"))
 }
@@ -100,7 +108,7 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
                 format!("const UMBRAGE_POINTS = array<vec4f, {}>({});\n", list.len(), list.join(", "));
             let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
             let _ = writeln!(numbers, "const UMBRAGE_MOST_TEXELS: f32 = {:?};", of.most_texels);
-            let files = [tap, FOOTPRINT, include_str!("../shaders/filter/footprint.wgsl")];
+            let files = [tap, include_str!("../shaders/filter/footprint.wgsl")];
             [fixed_reach(settings), numbers].into_iter().chain(files.map(text)).collect()
         }
         Filter::Pcss(of) => {
@@ -228,7 +236,6 @@ fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
         format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n") + &least_deviation(&settings.filter);
     let files = [
         DEPTH,
-        FOOTPRINT,
         include_str!("../shaders/sample/inside.wgsl"),
         sample,
         include_str!("../shaders/filter/moments.wgsl"),

@@ -7,7 +7,7 @@ use anyhow::Context as _;
 use image::{DynamicImage, GrayImage, RgbaImage};
 use umbrage::{MapTexels, Preset, Rays, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
-use umbrage_render::{Frame, Gpu, Picture, Show};
+use umbrage_render::{Frame, Gpu, Mark, Picture, Show};
 use umbrage_scene::Scene;
 
 use crate::args::DemoArgs;
@@ -122,7 +122,7 @@ fn column(
     renderer.render(&smooth(Show::World)?)?;
     let shadowed = image_of(renderer.picture()?)?;
     let maps = renderer.maps().ok().map(|maps| thumbnails(&maps, &judged.plan)).unwrap_or_default();
-    renderer.render(&smooth(Show::Splits)?)?;
+    renderer.render(&smooth(Show::Marked(Mark::Splits))?)?;
     let tinted = image_of(renderer.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
     let Judged { heat_map, true_picture, plan: judged_plan, .. } = judged;

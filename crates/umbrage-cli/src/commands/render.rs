@@ -6,7 +6,7 @@ use image::ExtendedColorType;
 use umbrage::{MapTexels, Settings, ShadowView};
 use umbrage_lab::aliasing::{Aliasing, AliasingSummary, heat_map};
 use umbrage_lab::{Laboratory, Shot};
-use umbrage_render::{Area, Frame, Gpu, RenderError, Renderer, Show};
+use umbrage_render::{Area, Frame, Gpu, Mark, RenderError, Renderer, Show};
 use umbrage_scene::Scene;
 
 use crate::args::RenderArgs;
@@ -25,7 +25,7 @@ pub fn run(args: &RenderArgs) -> Outcome {
     advice::warn_of_open_casters(&scene, &settings);
     let show = match (args.no_shadows, args.splits) {
         (true, _) => Show::Unshadowed,
-        (false, true) => Show::Splits,
+        (false, true) => Show::Marked(Mark::Splits),
         (false, false) => Show::World,
     };
     let frame = world::frame(&args.world, &scene, show)?;
@@ -58,7 +58,7 @@ pub fn run(args: &RenderArgs) -> Outcome {
 
 /// How much of a lamp's light reaches each pixel, 0 to 1.
 fn visibility(
-    renderer: &mut Renderer<'_>,
+    renderer: &mut Renderer,
     frame: &Frame,
     lamp: usize,
     area: Option<Area>,
@@ -72,7 +72,7 @@ fn visibility(
 }
 
 /// The same of every lamp that has some size, one after the other.
-fn soft(renderer: &mut Renderer<'_>, frame: &Frame, area: Area) -> Result<Vec<f32>, RenderError> {
+fn soft(renderer: &mut Renderer, frame: &Frame, area: Area) -> Result<Vec<f32>, RenderError> {
     let lamps = (0..frame.lamps.len()).map(|lamp| Ok(renderer.area(frame, lamp, area)?.visibility));
     Ok(lamps.collect::<Result<Vec<_>, RenderError>>()?.concat())
 }

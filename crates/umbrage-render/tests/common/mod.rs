@@ -40,6 +40,7 @@ pub fn from_above(light: &Light, show: Show) -> Frame {
     Frame {
         camera: umbrage_render::camera(&camera, 1.0).expect("a good camera"),
         lamps: vec![umbrage_render::lamp(light, 0.0).expect("a good light")],
+        planned_for: None,
         seconds: 0.0,
         width: PIXELS,
         height: PIXELS,

@@ -1,0 +1,105 @@
+//! What a window asks of a renderer: frames without waiting, maps as pictures, marks on surfaces, plans of another camera.
+
+mod common;
+
+use glam::Vec3;
+use umbrage_render::umbrage::{Settings, Warp};
+use umbrage_render::{ComingPicture, Frame, Gpu, MapLook, Mark, Picture, Renderer, Show};
+use umbrage_scene::{Camera, Scene};
+
+fn gpu() -> Gpu {
+    Gpu::new(None).expect("an adapter")
+}
+
+fn world() -> Scene {
+    umbrage_scene::worlds::build("primitives", 0).expect("a built-in world")
+}
+
+fn frame(scene: &Scene, show: Show) -> Frame {
+    let (width, height) = (160, 96);
+    let camera = umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a camera");
+    let lamps = vec![umbrage_render::lamp(&scene.lights[0], 0.0).expect("a lamp")];
+    Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show }
+}
+
+fn read(gpu: &Gpu, texture: &wgpu::TextureView) -> Picture {
+    let coming = ComingPicture::of_texture(gpu, texture.texture()).expect("a copy");
+    gpu.wait().expect("a device");
+    coming.take().expect("it has come").expect("a picture")
+}
+
+#[test]
+fn a_frame_that_nobody_waits_for_is_the_same_picture() {
+    let (gpu, scene) = (gpu(), world());
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    renderer.render(&frame(&scene, Show::World)).expect("a frame");
+    let waited_for = renderer.picture().expect("a picture");
+    let mut beside = renderer.beside(Settings::default()).expect("another renderer");
+    let drawn = beside.draw(&frame(&scene, Show::World)).expect("a frame");
+    assert_eq!(drawn.views.len(), 4);
+    let coming = beside.coming_picture().expect("a copy");
+    gpu.wait().expect("a device");
+    assert_eq!(coming.take().expect("it has come").expect("a picture"), waited_for);
+    assert_eq!(read(&gpu, &beside.shown().expect("a texture")), waited_for);
+}
+
+#[test]
+fn a_map_picture_is_what_the_map_holds() {
+    let (gpu, scene) = (gpu(), world());
+    for warp in [Warp::None, Warp::Lispsm] {
+        let settings = Settings { resolution: 256, warp, ..Settings::default() };
+        let mut renderer = Renderer::new(&gpu, &scene, settings).expect("a renderer");
+        renderer.render(&frame(&scene, Show::World)).expect("a frame");
+        let maps = renderer.maps().expect("maps");
+        let stored = |x: u32, y: u32| maps.depth(1, x, y);
+        let mut look = |look| read(&gpu, &renderer.map_picture(1, look, 256).expect("a picture"));
+        let plain = look(MapLook::default());
+        let inverted = look(MapLook { invert: true, ..MapLook::default() });
+        let stretched = look(MapLook { stretch: true, even: true, ..MapLook::default() });
+        let grey = |picture: &Picture, x: u32, y: u32| i32::from(picture.rgba[4 * (y * 256 + x) as usize]);
+        for (x, y) in (0..256).step_by(17).flat_map(|x| (0..256).step_by(13).map(move |y| (x, y))) {
+            let wanted = (stored(x, y) * 255.0).round() as i32;
+            assert!((grey(&plain, x, y) - wanted).abs() <= 1, "{x}, {y}");
+            assert!((grey(&inverted, x, y) + wanted - 255).abs() <= 1, "{x}, {y}");
+        }
+        let greys: Vec<u8> = stretched.rgba.iter().step_by(4).copied().collect();
+        assert_eq!((greys.iter().min(), greys.iter().max()), (Some(&0), Some(&255)), "all greys are used");
+    }
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let nothing = renderer.map_picture(0, MapLook::default(), 16).map(drop).expect_err("nothing was drawn");
+    assert!(nothing.to_string().contains("view 0"), "{nothing}");
+}
+
+#[test]
+fn a_plan_for_another_camera_shadows_what_that_camera_sees() {
+    let (gpu, scene) = (gpu(), world());
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let looking = frame(&scene, Show::World);
+    let own = renderer.render(&looking).expect("a frame").plan;
+    let elsewhere = Camera::looking("c", Vec3::new(0.0, 40.0, 0.1), Vec3::ZERO, 1.0, 0.5, 200.0);
+    let elsewhere = umbrage_render::camera(&elsewhere, 160.0 / 96.0).expect("a camera");
+    let from_there = Frame { camera: elsewhere, planned_for: Some(looking.camera), ..looking };
+    let frozen = renderer.render(&from_there).expect("a frame").plan;
+    assert_eq!(frozen.views(), own.views());
+    let followed = renderer.render(&Frame { planned_for: None, ..from_there }).expect("a frame").plan;
+    assert_ne!(followed.views(), own.views());
+}
+
+#[test]
+fn marks_change_surfaces_and_not_the_sky() {
+    let (gpu, scene) = (gpu(), world());
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let mut shown = |show| {
+        renderer.render(&frame(&scene, show)).expect("a frame");
+        renderer.picture().expect("a picture")
+    };
+    let (plain, sky) = (shown(Show::World), shown(Show::Visibility(0)));
+    assert_eq!(sky.rgba[0], 255, "the upper left corner is sky, which is lit");
+    let pixel = |picture: &Picture, i: usize| picture.rgba[4 * i..4 * i + 3].to_vec();
+    for mark in [Mark::Splits, Mark::Texels, Mark::Extents] {
+        let marked = shown(Show::Marked(mark));
+        let last = 160 * 96 - 80;
+        assert_ne!(pixel(&marked, last), pixel(&plain, last), "{mark:?}: the ground changes");
+        assert_eq!(pixel(&marked, 0), pixel(&plain, 0), "{mark:?}: the sky does not");
+    }
+}
