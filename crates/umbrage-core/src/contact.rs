@@ -3,6 +3,7 @@
 
 use crate::SettingsError;
 use crate::check::check;
+use crate::schema::contact;
 
 /// Contact shadows: how far a receiver looks toward the light in the camera's depth buffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,10 +35,9 @@ impl Contact {
     /// Whether every value is in its range.
     pub(crate) fn validate(&self) -> Result<(), SettingsError> {
         let Self { length, steps, thickness } = *self;
-        let metres = "more than 0, at most 100 metres";
-        check("contact.length", length, f64::from(f32::MIN_POSITIVE), 100.0, metres)?;
-        check("contact.steps", f64::from(steps), 1.0, f64::from(Self::MAX_STEPS), "from 1 to 64")?;
-        check("contact.thickness", thickness, f64::from(f32::MIN_POSITIVE), 100.0, metres)
+        check(&contact::LENGTH, length)?;
+        check(&contact::STEPS, steps)?;
+        check(&contact::THICKNESS, thickness)
     }
 }
 

@@ -8,6 +8,7 @@
 //! Widths are in metres on a plane that faces the light, or in texels of the view. A width in metres is the same in every
 //! split.
 
+mod kind;
 mod numbers;
 mod ranges;
 

@@ -32,6 +32,7 @@ mod light;
 mod moments;
 mod plan;
 mod presets;
+pub mod schema;
 mod settings;
 mod space;
 mod split;

@@ -1,13 +1,16 @@
 //! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
 
 mod bias;
+mod shade;
 
 pub use bias::{Bias, CasterFaces, Layer};
+pub use shade::Shade;
 
 use crate::SettingsError;
-use crate::check::check;
+use crate::check::{check, check_given};
 use crate::contact::Contact;
 use crate::filter::Filter;
+use crate::schema;
 
 /// The most splits a light can have (Ferko 2010, listing 4.13).
 pub const MAX_SPLITS: usize = 9;
@@ -160,32 +163,6 @@ pub enum Select {
     Map,
 }
 
-/// What a shadow does to the picture. `darkness` is 1 where a shadow takes all of the light away, 0 where none.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
-pub enum Shade {
-    /// The light adds less.
-    Absence {
-        /// 0 to 1.
-        #[cfg_attr(feature = "serde", serde(default = "full_darkness"))]
-        darkness: f32,
-    },
-    /// The lit picture is mixed with a colour (Ferko 2010, listing 4.9).
-    Colour {
-        /// Linear RGB, and in alpha how much of the lit picture it replaces, 0 to 1.
-        shadow_colour: [f32; 4],
-        /// 0 to 1.
-        #[cfg_attr(feature = "serde", serde(default = "full_darkness"))]
-        darkness: f32,
-    },
-}
-
-#[cfg(feature = "serde")]
-fn full_darkness() -> f32 {
-    1.0
-}
-
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -246,15 +223,13 @@ impl Settings {
             contact,
             shade,
         } = self;
-        let positive = "a positive number of metres";
-        check("splits", f64::from(*splits), 1.0, MAX_SPLITS as f64, "from 1 to 9")?;
-        check("spot_splits", f64::from(*spot_splits), 1.0, MAX_SPLITS as f64, "from 1 to 9")?;
-        check("blend", f64::from(*blend), 0.0, 1.0, "from 0 to 1")?;
-        check("lambda", f64::from(*lambda), 0.0, 1.0, "from 0 to 1")?;
-        check("split_bias", f64::from(*split_bias), 0.0, 1e6, "from 0 to 1000000 metres")?;
-        for (key, value) in [("distance", distance), ("near", near)] {
-            check(key, value.map_or(1.0, f64::from), f64::from(f32::MIN_POSITIVE), 1e9, positive)?;
-        }
+        check(&schema::splits::SPLITS, *splits)?;
+        check(&schema::splits::SPOT_SPLITS, *spot_splits)?;
+        check(&schema::maps::BLEND, *blend)?;
+        check(&schema::splits::LAMBDA, *lambda)?;
+        check(&schema::splits::SPLIT_BIAS, *split_bias)?;
+        check_given(&schema::splits::DISTANCE, *distance)?;
+        check_given(&schema::splits::NEAR, *near)?;
         check_resolution(*resolution)?;
         if *fit == Fit::Stable && *warp != Warp::None {
             return Err(SettingsError::Conflict {
@@ -280,20 +255,13 @@ impl Settings {
         filter.validate(*resolution)?;
         bias.validate()?;
         contact.as_ref().map_or(Ok(()), Contact::validate)?;
-        let (Shade::Absence { darkness } | Shade::Colour { darkness, .. }) = shade;
-        check("shade.darkness", f64::from(*darkness), 0.0, 1.0, "from 0 to 1")?;
-        if let Shade::Colour { shadow_colour, .. } = shade {
-            for channel in shadow_colour {
-                check("shade.shadow_colour", f64::from(*channel), 0.0, 1.0, "four numbers from 0 to 1")?;
-            }
-        }
-        Ok(())
+        shade.validate()
     }
 }
 
 /// Whether a tile may have so many texels a side.
 pub(crate) fn check_resolution(texels: u32) -> Result<(), SettingsError> {
-    check("resolution", f64::from(texels), 16.0, 16384.0, "from 16 to 16384 texels")
+    check(&schema::maps::RESOLUTION, texels)
 }
 
 #[cfg(test)]

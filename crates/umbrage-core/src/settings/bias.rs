@@ -3,6 +3,7 @@
 
 use crate::SettingsError;
 use crate::check::check;
+use crate::schema::bias;
 
 /// What keeps surfaces from shadowing themselves. Zero everywhere is no bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,20 +115,13 @@ impl Bias {
             layer_limit,
             terminator,
         } = self;
-        let texels = "from 0 to 100";
-        check(
-            "bias.raster_constant",
-            f64::from(*raster_constant),
-            -1e9,
-            1e9,
-            "within ±1000000000 depth steps",
-        )?;
-        check("bias.raster_slope", f64::from(*raster_slope), -100.0, 100.0, "from -100 to 100")?;
-        check("bias.constant", f64::from(*constant), 0.0, 1e3, "from 0 to 1000 metres")?;
-        check("bias.slope", f64::from(*slope), 0.0, 100.0, texels)?;
-        check("bias.slope_limit", f64::from(*slope_limit), 0.0, 1e4, "from 0 to 10000")?;
-        check("bias.normal", f64::from(*normal), 0.0, 100.0, texels)?;
-        check("bias.layer_limit", *layer_limit, 0.0, 1e3, "from 0 to 1000 metres")?;
-        check("bias.terminator", *terminator, 0.0, 1.0, "from 0 to 1")
+        check(&bias::RASTER_CONSTANT, *raster_constant)?;
+        check(&bias::RASTER_SLOPE, *raster_slope)?;
+        check(&bias::CONSTANT, *constant)?;
+        check(&bias::SLOPE, *slope)?;
+        check(&bias::SLOPE_LIMIT, *slope_limit)?;
+        check(&bias::NORMAL, *normal)?;
+        check(&bias::LAYER_LIMIT, *layer_limit)?;
+        check(&bias::TERMINATOR, *terminator)
     }
 }
