@@ -131,7 +131,7 @@ impl ConvexBody {
     }
 
     /// The faces' edges; each comes twice, once for either face.
-    pub(crate) fn edges(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
+    pub fn edges(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
         let ends = |face: &Face, i: usize| (face[i], face[(i + 1) % face.len()]);
         self.faces.iter().flat_map(move |face| (0..face.len()).map(move |i| ends(face, i)))
     }

@@ -1,14 +1,12 @@
 //! What a window asks of a renderer: frames without waiting, maps as pictures, marks on surfaces, plans of another camera.
 
-mod common;
-
 use glam::Vec3;
 use umbrage_render::umbrage::{Settings, Warp};
 use umbrage_render::{ComingPicture, Frame, Gpu, MapLook, Mark, Picture, Renderer, Show};
 use umbrage_scene::{Camera, Scene};
 
 fn gpu() -> Gpu {
-    Gpu::new(None).expect("an adapter")
+    Gpu::new(Some("vulkan")).expect("run scripts/setup")
 }
 
 fn world() -> Scene {
@@ -49,9 +47,9 @@ fn a_map_picture_is_what_the_map_holds() {
     for warp in [Warp::None, Warp::Lispsm] {
         let settings = Settings { resolution: 256, warp, ..Settings::default() };
         let mut renderer = Renderer::new(&gpu, &scene, settings).expect("a renderer");
-        renderer.render(&frame(&scene, Show::World)).expect("a frame");
+        let tile = renderer.render(&frame(&scene, Show::World)).expect("a frame").plan.views()[1].tile;
         let maps = renderer.maps().expect("maps");
-        let stored = |x: u32, y: u32| maps.depth(1, x, y);
+        let stored = |x: u32, y: u32| maps.depth(tile, i64::from(x), i64::from(y));
         let mut look = |look| read(&gpu, &renderer.map_picture(1, look, 256).expect("a picture"));
         let plain = look(MapLook::default());
         let inverted = look(MapLook { invert: true, ..MapLook::default() });

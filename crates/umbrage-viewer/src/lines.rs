@@ -1,0 +1,147 @@
+//! What of a plan can be drawn as lines: the slices of the camera's view, the boxes of the maps, the volumes of casters.
+//!
+//! World space, metres. A line is cut at the eye's near plane before it is projected.
+
+use glam::{DMat4, DVec3, Vec2, Vec4};
+use umbrage::{Camera, ConvexBody, ConvexVolume, ShadowPlan};
+
+/// Two ends in world space.
+pub type Line = [DVec3; 2];
+
+/// What to draw of a plan.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Chosen {
+    /// The slices of the camera's view.
+    pub slices: bool,
+    /// The body that each map covers.
+    pub maps: bool,
+    /// The volume of what can cast into it, as far as the world goes.
+    pub casters: bool,
+}
+
+impl Chosen {
+    /// Whether there is anything to draw.
+    pub fn any(self) -> bool {
+        self != Self::default()
+    }
+}
+
+/// Lines of a plan, each with the number of the split whose colour it has. `reach` is how far from the origin volumes are
+/// drawn: that of the world, metres.
+pub fn of_plan(plan: &ShadowPlan, chosen: Chosen, reach: f64) -> Vec<(usize, Line)> {
+    let mut lines = Vec::new();
+    if chosen.slices {
+        for (split, depths) in plan.splits().windows(2).enumerate() {
+            let corners = plan.camera().slice_corners(depths[0], depths[1]);
+            lines.extend(edges(&ConvexBody::of_slice(&corners)).map(|line| (split, line)));
+        }
+    }
+    for view in plan.views().iter().filter(|view| view.light == 0) {
+        if chosen.maps {
+            lines.extend(map_edges(&view.clip_from_world.as_dmat4()).map(|line| (view.split, line)));
+        }
+        if chosen.casters {
+            lines.extend(edges(&body(&view.casters, reach)).map(|line| (view.split, line)));
+        }
+    }
+    lines
+}
+
+/// The twelve edges of what a map covers. A map of a sun is a box, of a lamp a pyramid without its tip.
+fn map_edges(clip_from_world: &DMat4) -> impl Iterator<Item = Line> + use<> {
+    let world_from_clip = clip_from_world.inverse();
+    let corner = move |i: usize| {
+        let side = |bit: usize| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
+        world_from_clip.project_point3(DVec3::new(side(0), side(1), (i >> 2 & 1) as f64))
+    };
+    let pairs = (0..8).flat_map(|i| [1, 2, 4].map(|bit| (i, i | bit))).filter(|(a, b)| a != b);
+    pairs.map(move |(a, b)| [corner(a), corner(b)]).filter(|[a, b]| a.is_finite() && b.is_finite())
+}
+
+/// A volume as a body, within a cube of `reach` metres each way.
+fn body(volume: &ConvexVolume, reach: f64) -> ConvexBody {
+    if volume.is_empty() {
+        return ConvexBody::default();
+    }
+    let cube = ConvexBody::of_box(DVec3::splat(-reach), DVec3::splat(reach));
+    let planes = volume.planes().iter();
+    planes.fold(cube, |body, plane| body.clipped(plane.normal.as_dvec3(), f64::from(plane.distance)))
+}
+
+/// Each edge once.
+fn edges(body: &ConvexBody) -> impl Iterator<Item = Line> {
+    // Both faces of an edge have it, in opposite senses.
+    let first = |a: &DVec3, b: &DVec3| a.to_array() < b.to_array();
+    body.edges().filter(move |(a, b)| first(a, b)).map(|(a, b)| [a, b]).collect::<Vec<_>>().into_iter()
+}
+
+/// Where a line is seen, in shares of the picture from its upper left corner; `None` behind the eye.
+pub fn project(camera: &Camera, [a, b]: Line) -> Option<[Vec2; 2]> {
+    let clip = |p: DVec3| camera.clip_from_world() * p.as_vec3().extend(1.0);
+    let (mut a, mut b) = (clip(a), clip(b));
+    // Reversed depth: what is nearer than the near plane has z above w.
+    let inside = |p: &Vec4| p.w - p.z;
+    let (from_a, from_b) = (inside(&a), inside(&b));
+    if from_a < 0.0 && from_b < 0.0 {
+        return None;
+    }
+    let cut = a.lerp(b, from_a / (from_a - from_b));
+    if from_a < 0.0 {
+        a = cut;
+    } else if from_b < 0.0 {
+        b = cut;
+    }
+    let place = |p: Vec4| Vec2::new(0.5 + 0.5 * p.x / p.w, 0.5 - 0.5 * p.y / p.w);
+    (a.w > 0.0 && b.w > 0.0).then(|| [place(a), place(b)])
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use umbrage::{Aabb, Bounds, Light, Settings};
+
+    use super::*;
+
+    fn camera() -> Camera {
+        let scene = umbrage_scene::Camera::looking("c", Vec3::new(0.0, 5.0, 20.0), Vec3::ZERO, 1.0, 0.5, 100.0);
+        umbrage_render::camera(&scene, 1.5).unwrap()
+    }
+
+    fn plan() -> ShadowPlan {
+        let bounds = Bounds::of_boxes(&[Aabb { min: Vec3::new(-30.0, 0.0, -30.0), max: Vec3::new(30.0, 4.0, 30.0) }]);
+        let sun = Light::directional(Vec3::new(0.3, -1.0, -0.2)).unwrap();
+        umbrage::plan(&camera(), &[sun], &bounds, &Settings::default()).unwrap()
+    }
+
+    #[test]
+    fn a_slice_and_a_map_have_twelve_edges() {
+        let plan = plan();
+        let count = |chosen| of_plan(&plan, chosen, 100.0).len();
+        assert_eq!(count(Chosen { slices: true, ..Chosen::default() }), 4 * 12);
+        assert_eq!(count(Chosen { maps: true, ..Chosen::default() }), 4 * 12);
+        assert!(count(Chosen { casters: true, ..Chosen::default() }) >= 12);
+        assert_eq!(count(Chosen::default()), 0);
+    }
+
+    #[test]
+    fn a_volumes_lines_lie_in_the_volume() {
+        let plan = plan();
+        for (split, line) in of_plan(&plan, Chosen { casters: true, ..Chosen::default() }, 100.0) {
+            let view = plan.views().iter().find(|view| view.split == split).unwrap();
+            let middle = ((line[0] + line[1]) * 0.5).as_vec3();
+            for plane in view.casters.planes() {
+                assert!(plane.signed_distance(middle) > -1e-2, "{split}: {middle}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_are_seen_before_the_eye_alone() {
+        let camera = camera();
+        let [middle, _] = project(&camera, [DVec3::ZERO, DVec3::Y]).unwrap();
+        assert!(middle.distance(Vec2::splat(0.5)) < 1e-5, "what is looked at is in the middle: {middle}");
+        assert_eq!(project(&camera, [DVec3::new(0.0, 9.0, 40.0), DVec3::new(3.0, 9.0, 50.0)]), None);
+        let through = project(&camera, [DVec3::ZERO, DVec3::new(0.0, 9.0, 40.0)]).unwrap();
+        assert!(through.iter().all(|p| p.is_finite()), "{through:?}");
+    }
+}
