@@ -12,7 +12,7 @@
 //! This crate does not: know a shadow map, a plan or a setting, draw, or touch a GPU. It shares no code with what it
 //! judges: cameras and lights are descriptions, and it makes its own rays of them. It knows no area lights but as points
 //! sampled on a disc ([`soft`]), not how strong a light is, and no transparent surfaces: what has triangles casts a whole
-//! shadow.
+//! shadow. On wasm32, FLIP is missing.
 
 pub mod statistics;
 pub mod temporal;
@@ -22,6 +22,7 @@ mod deviation;
 mod edges;
 mod error;
 mod eye;
+#[cfg(not(target_arch = "wasm32"))]
 mod flip;
 mod light;
 mod pool;
@@ -35,6 +36,7 @@ pub use deviation::{Compared, Deviation};
 pub use edges::Edges;
 pub use error::{Claim, DepthBand, Error};
 pub use eye::{Eye, jittered};
+#[cfg(not(target_arch = "wasm32"))]
 pub use flip::flip_mean;
 pub use light::{Light, Toward};
 pub use pool::Part;
