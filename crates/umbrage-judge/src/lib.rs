@@ -1,10 +1,11 @@
 //! Exact shadows by tracing rays, and how wrong other shadows are.
 //!
 //! [`World`] is a scene at one time as triangles in a tree. [`Light`] is a sun, a spot or a point. [`Truth`] is what a
-//! camera sees of a world by a light: for every pixel the first surface, and whether the light reaches it. [`Error`]
-//! compares a claim with the truth: how many pixels are wrongly shadowed, which way, by how many pixels edges are
-//! displaced, and why. [`Deviation`] is how far visibility is from a truth between lit and shadowed. [`temporal`] judges a
-//! claim that changes from frame to frame, and [`statistics`] says how sure a figure is.
+//! camera sees of a world by a light: for every pixel the first surface, and whether the light reaches it. [`Progress`]
+//! is the same bit by bit, with a [`Tally`] of what is wrong so far. [`Error`] compares a claim with the truth: how many
+//! pixels are wrongly shadowed, which way, by how many pixels edges are displaced, and why. [`Deviation`] is how far
+//! visibility is from a truth between lit and shadowed. [`temporal`] judges a claim that changes from frame to frame, and
+//! [`statistics`] says how sure a figure is.
 //!
 //! Positions are in world space, metres; arithmetic is f64. Visibility is 1 for lit and 0 for shadowed. Pictures are
 //! rows of pixels from top to bottom.
@@ -12,7 +13,7 @@
 //! This crate does not: know a shadow map, a plan or a setting, draw, or touch a GPU. It shares no code with what it
 //! judges: cameras and lights are descriptions, and it makes its own rays of them. It knows no area lights but as points
 //! sampled on a disc ([`soft`]), not how strong a light is, and no transparent surfaces: what has triangles casts a whole
-//! shadow.
+//! shadow. On wasm32, FLIP is missing.
 
 pub mod statistics;
 pub mod temporal;
@@ -22,12 +23,15 @@ mod deviation;
 mod edges;
 mod error;
 mod eye;
+#[cfg(not(target_arch = "wasm32"))]
 mod flip;
 mod light;
 mod pool;
+mod progress;
 mod smooth;
 mod triangle;
 mod truth;
+mod verdict;
 mod world;
 
 pub use causes::Causes;
@@ -35,10 +39,13 @@ pub use deviation::{Compared, Deviation};
 pub use edges::Edges;
 pub use error::{Claim, DepthBand, Error};
 pub use eye::{Eye, jittered};
+#[cfg(not(target_arch = "wasm32"))]
 pub use flip::flip_mean;
 pub use light::{Light, Toward};
 pub use pool::Part;
+pub use progress::{Progress, Tile};
 pub use smooth::{Smooth, soft, sub_pixel};
 pub use triangle::Ray;
 pub use truth::{Pixel, Receiver, Truth};
+pub use verdict::{Tally, Verdict};
 pub use world::{Hit, World};

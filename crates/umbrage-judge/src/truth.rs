@@ -8,7 +8,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::{Eye, Light, Ray, World};
+use crate::{Eye, Hit, Light, Ray, World};
 
 /// Surfaces whose cosine to the light is at most this are unlit by shading.
 const LEAST_COSINE: f64 = 0.02;
@@ -73,9 +73,8 @@ impl Truth {
             .into_par_iter()
             .with_min_len(width)
             .map(|i| {
-                let ray = eye.ray((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
-                let receiver = receiver(world, eye, &ray);
-                (receiver, receiver.map_or(Pixel::Sky, |receiver| pixel(world, light, &receiver, distance)))
+                let receiver = receiver(world, eye, &central_ray(eye, i));
+                (receiver, pixel(world, light, receiver.as_ref(), distance))
             })
             .unzip();
         Self { eye: *eye, light: *light, receivers, pixels }
@@ -92,12 +91,22 @@ impl Truth {
     }
 }
 
+/// The ray through the centre of one of the eye's pixels.
+pub(crate) fn central_ray(eye: &Eye, pixel: usize) -> Ray {
+    let width = eye.width.max(1) as usize;
+    eye.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5)
+}
+
 /// The first surface along a ray of the eye.
 pub(crate) fn receiver(world: &World, eye: &Eye, ray: &Ray) -> Option<Receiver> {
-    let hit = world.first_hit(ray, eye.near, eye.far)?;
-    let normal = world.normal(hit.triangle);
+    world.first_hit(ray, eye.near, eye.far).map(|hit| surface(world, ray, hit))
+}
+
+/// The surface that a ray of the eye meets.
+pub(crate) fn surface(world: &World, ray: &Ray, Hit { distance, triangle }: Hit) -> Receiver {
+    let normal = world.normal(triangle);
     let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
-    Some(Receiver { position: ray.at(hit.distance), normal, depth: hit.distance, triangle: hit.triangle })
+    Receiver { position: ray.at(distance), normal, depth: distance, triangle }
 }
 
 /// Whether a receiver's surface faces a light.
@@ -127,7 +136,11 @@ pub(crate) fn is_shadowed(world: &World, light: &Light, receiver: &Receiver, eps
     world.is_blocked(&ray, 0.0, end)
 }
 
-fn pixel(world: &World, light: &Light, receiver: &Receiver, distance: f64) -> Pixel {
+/// What is true of a pixel with this first surface, or none.
+pub(crate) fn pixel(world: &World, light: &Light, receiver: Option<&Receiver>, distance: f64) -> Pixel {
+    let Some(receiver) = receiver else {
+        return Pixel::Sky;
+    };
     let Some(toward) = light.toward(receiver.position) else {
         return Pixel::Unreached;
     };

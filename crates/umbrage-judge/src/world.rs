@@ -1,12 +1,12 @@
 //! A scene at one time, as triangles that rays can be traced through.
 
-use std::time::Duration;
-
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
+use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
+use obvhs::ploc::PlocBuilder;
 use obvhs::ray::RayHit;
 use umbrage_scene::Scene;
 
@@ -86,7 +86,7 @@ impl World {
         let largest = triangles.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f32::max);
         let margin = Vec3A::splat(largest.max(1.0) * MARGIN);
         let leaves: Vec<Leaf<'_>> = triangles.iter().map(|triangle| Leaf { triangle, margin }).collect();
-        let mut tree = build_bvh2(&leaves, BvhBuildParams::fast_build(), &mut Duration::default());
+        let mut tree = tree(&leaves);
         let order = std::mem::take(&mut tree.primitive_indices);
         let triangles = order.iter().map(|i| triangles[*i as usize]).collect();
         let still = order.iter().map(|i| still[*i as usize]).collect();
@@ -145,6 +145,21 @@ impl World {
         let from = (from as f32).next_down().max(0.0);
         usable.then(|| obvhs::ray::Ray::new(origin, direction, from, walked(to)))
     }
+}
+
+/// As `obvhs::bvh2::builder::build_bvh2` does it, but for the clock that it reads: on wasm32 there is none.
+fn tree(leaves: &[Leaf<'_>]) -> Bvh2 {
+    let params = BvhBuildParams::fast_build();
+    let mut tree = PlocBuilder::with_capacity(leaves.len()).build(
+        params.ploc_search_distance,
+        leaves,
+        (0..leaves.len() as u32).collect(),
+        params.sort_precision,
+        params.search_depth_threshold,
+    );
+    ReinsertionOptimizer::default().run(&mut tree, params.reinsertion_batch_ratio, None);
+    collapse(&mut tree, params.max_prims_per_leaf, params.collapse_traversal_cost);
+    tree
 }
 
 /// A distance at which the tree, which adds in f32, has met all that is nearer than `distance`.

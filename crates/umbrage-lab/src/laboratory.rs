@@ -143,8 +143,7 @@ impl<'a> Laboratory<'a> {
         let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
         let error = Error::pooled(&parts);
         let true_picture = self.true_picture(&frame, &traced, &visibility, &shaded)?;
-        let flip = umbrage_judge::flip_mean(shot.width, shot.height, &true_picture.rgba, &shaded.rgba)
-            .filter(|_| error.is_some());
+        let flip = flip(&true_picture, &shaded).filter(|_| error.is_some());
         let layout = plan.layout();
         let measurement = Measurement {
             world: self.scene.name.clone(),
@@ -311,6 +310,18 @@ impl Milliseconds {
 /// How deep shadows reach, metres.
 fn shadow_distance(plan: &ShadowPlan) -> f64 {
     plan.splits().last().copied().unwrap_or(f64::INFINITY)
+}
+
+/// How different two pictures of one size look.
+#[cfg(not(target_arch = "wasm32"))]
+fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
+    umbrage_judge::flip_mean(test.width, test.height, &reference.rgba, &test.rgba)
+}
+
+/// Not known where FLIP's code does not build.
+#[cfg(target_arch = "wasm32")]
+fn flip(_reference: &Picture, _test: &Picture) -> Option<f64> {
+    None
 }
 
 /// Visibility of every pixel, from its grey.
