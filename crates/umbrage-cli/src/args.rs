@@ -26,6 +26,8 @@ pub enum Command {
     Measure(MeasureArgs),
     /// Times frames along the world's path
     Bench(BenchArgs),
+    /// Opens a window on a world: its shadows, every setting while it runs, and how wrong each pixel is
+    View(ViewArgs),
     /// Runs an experiment, and writes its page, its figures as JSON and CSV, and every single result
     Report(ReportArgs),
     /// Lists the built-in worlds, or writes one as a .glb
@@ -44,8 +46,40 @@ pub struct DemoArgs {
     /// Where the picture goes
     #[arg(short, long, value_name = "FILE.png", default_value = "umbrage-demo.png")]
     pub output: PathBuf,
+    /// Open no window after it, where there is a display
+    #[arg(long)]
+    pub no_window: bool,
     #[command(flatten)]
     pub adapter: AdapterArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct ViewArgs {
+    /// A built-in name (see `umbrage worlds`), or a .glb, .gltf or .obj
+    #[arg(default_value = umbrage_scene::worlds::DEFAULT)]
+    pub world: String,
+    /// One of the world's cameras, by number from 0 or by name
+    #[arg(long, value_name = "N")]
+    pub camera: Option<String>,
+    /// Where the camera stands, metres
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "target", allow_hyphen_values = true)]
+    pub eye: Option<Vec3>,
+    /// What the camera looks at, metres
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "eye", allow_hyphen_values = true)]
+    pub target: Option<Vec3>,
+    /// When, for things that move, seconds
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub time: f32,
+    /// Size of the window, points; 1280x800
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<(u32, u32)>,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+    /// Fly the world's path for so many frames, print what the window adds to a frame's time, and close
+    #[arg(long, value_name = "FRAMES", value_parser = clap::value_parser!(u32).range(4..=10_000))]
+    pub bench: Option<u32>,
 }
 
 #[derive(Debug, Args)]

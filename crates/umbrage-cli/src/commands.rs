@@ -8,6 +8,7 @@ mod plan;
 mod presets;
 mod render;
 mod report;
+mod view;
 mod worlds;
 
 use crate::args::Command;
@@ -22,6 +23,7 @@ pub fn run(command: Command) -> Outcome {
         Command::Measure(args) => measure::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Bench(args) => bench::run(&args),
+        Command::View(args) => view::run(&args),
         Command::Worlds(args) => worlds::run(&args),
         Command::Adapters => adapters::run(),
         Command::Presets(args) => presets::run(&args),

@@ -149,6 +149,11 @@ impl Progress {
         self.lights.iter().zip(&self.pixels).map(of_light).collect()
     }
 
+    /// Which number a pixel has, by its place from the upper left corner: row by row.
+    pub fn index(&self, x: u32, y: u32) -> usize {
+        index(&self.eye, x, y)
+    }
+
     fn count(&self) -> usize {
         self.eye.width as usize * self.eye.height as usize
     }

@@ -138,6 +138,16 @@ impl Gpu {
         Self { device, queue, adapter: describe(adapter) }
     }
 
+    /// An adapter in words.
+    pub fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
+        describe(adapter)
+    }
+
+    /// Which adapter is better, the least first: hardware before software, and GL last.
+    pub fn preference(adapter: &wgpu::Adapter) -> impl Ord + use<> {
+        preference(adapter)
+    }
+
     /// Makes something large, and says so where there is no memory for it.
     ///
     /// # Errors

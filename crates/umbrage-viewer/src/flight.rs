@@ -55,6 +55,12 @@ impl Flight {
         }
     }
 
+    /// At another place that a camera of the scene has; it answers the pointer as before.
+    #[must_use]
+    pub fn moved_to(&self, elsewhere: Self) -> Self {
+        Self { motion: self.motion, ..elsewhere }
+    }
+
     /// The way it looks, unit.
     pub fn forward(&self) -> Vec3 {
         self.rotation() * Vec3::NEG_Z

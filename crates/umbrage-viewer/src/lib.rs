@@ -1,13 +1,42 @@
-//! The window and the web page: any world with its shadows, every setting while it runs, and how wrong each pixel is.
+//! The window and the web page: any world with its shadows, every setting while it runs, how shadows are made, and how
+//! wrong each pixel is.
 //!
-//! This crate does not: know how shadows are made, judged or read from files. It shows what the other crates say.
+//! [`Viewer`] is the program, for eframe: the same in a window (`native::run`) and in a browser (`web`). What
+//! is shown is drawn by `umbrage-render`, and judged by `umbrage-judge`, in between the window's own frames.
+//!
+//! This crate does not: know how shadows are made, judged or read from files, nor any setting by its name but λ. Things
+//! that move are judged while they stand.
 
-/// The program.
-#[derive(Debug, Default)]
-pub struct Viewer {}
+pub mod choices;
+pub mod edit;
+pub mod flight;
+pub mod lines;
+pub mod load;
+pub mod overlay;
+pub mod rust_text;
+pub mod settings_panel;
+pub mod sky;
+pub mod take;
 
-impl eframe::App for Viewer {
-    fn ui(&mut self, ui: &mut eframe::egui::Ui, _frame: &mut eframe::Frame) {
-        ui.label("Umbrage");
-    }
-}
+mod app;
+mod colours;
+mod input;
+mod method_panel;
+mod picture;
+mod split_plot;
+mod stage;
+mod task;
+mod timings;
+mod top_bar;
+mod trouble;
+mod truth_panel;
+mod world_panel;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub mod bench;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod native;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
+
+pub use app::{Start, Viewer};

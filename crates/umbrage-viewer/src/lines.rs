@@ -32,7 +32,7 @@ pub fn of_plan(plan: &ShadowPlan, chosen: Chosen, reach: f64) -> Vec<(usize, Lin
     let mut lines = Vec::new();
     if chosen.slices {
         for (split, depths) in plan.splits().windows(2).enumerate() {
-            let corners = plan.camera().slice_corners(depths[0], depths[1]);
+            let corners = plan.camera().slice_corners(depths[0]..depths[1]);
             lines.extend(edges(&ConvexBody::of_slice(&corners)).map(|line| (split, line)));
         }
     }
@@ -98,17 +98,18 @@ pub fn project(camera: &Camera, [a, b]: Line) -> Option<[Vec2; 2]> {
 #[cfg(test)]
 mod tests {
     use glam::Vec3;
-    use umbrage::{Aabb, Bounds, Light, Settings};
+    use umbrage::{Bounds, Light, Settings};
 
     use super::*;
 
     fn camera() -> Camera {
-        let scene = umbrage_scene::Camera::looking("c", Vec3::new(0.0, 5.0, 20.0), Vec3::ZERO, 1.0, 0.5, 100.0);
+        let scene =
+            umbrage_scene::Camera::looking("c", Vec3::new(0.0, 5.0, 20.0), Vec3::ZERO, 1.0, 0.5, 100.0);
         umbrage_render::camera(&scene, 1.5).unwrap()
     }
 
     fn plan() -> ShadowPlan {
-        let bounds = Bounds::of_boxes(&[Aabb { min: Vec3::new(-30.0, 0.0, -30.0), max: Vec3::new(30.0, 4.0, 30.0) }]);
+        let bounds = Bounds::of_world(Vec3::new(-30.0, 0.0, -30.0), Vec3::new(30.0, 4.0, 30.0));
         let sun = Light::directional(Vec3::new(0.3, -1.0, -0.2)).unwrap();
         umbrage::plan(&camera(), &[sun], &bounds, &Settings::default()).unwrap()
     }

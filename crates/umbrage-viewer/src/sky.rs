@@ -30,7 +30,10 @@ mod tests {
     #[test]
     fn the_sun_rises_in_the_east_and_stands_highest_in_the_south_at_noon() {
         let (morning, noon, evening) = (sunlight(7.0), sunlight(12.0), sunlight(17.0));
-        assert!(morning.x < -0.5 && evening.x > 0.5, "light travels west in the morning: {morning}, {evening}");
+        assert!(
+            morning.x < -0.5 && evening.x > 0.5,
+            "light travels west in the morning: {morning}, {evening}"
+        );
         assert!(noon.x.abs() < 1e-6 && noon.z < 0.0, "{noon}");
         // At noon the sun's height is 90° − latitude + declination.
         assert!((-noon.y - 55f32.to_radians().sin()).abs() < 1e-5, "{noon}");

@@ -15,7 +15,7 @@ use crate::commands::plan::splits_text;
 use crate::commands::render::grey_map;
 use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
-use crate::{output, progress, world};
+use crate::{commands::view, output, progress, world};
 
 /// Pictures are drawn and printed this large, pixels.
 const WIDTH: u32 = 640;
@@ -96,6 +96,12 @@ pub fn run(args: &DemoArgs) -> Outcome {
     }
     output::print(&text)?;
     eprintln!("picture: {}", args.output.display());
+    if !args.no_window && umbrage_viewer::native::has_display() {
+        // The picture is there, whatever becomes of the window.
+        if let Err(failure) = view::after_demo(args, scene) {
+            eprintln!("no window: {failure}");
+        }
+    }
     Ok(())
 }
 

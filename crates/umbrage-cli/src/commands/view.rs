@@ -1,0 +1,84 @@
+//! `umbrage view`: the window.
+
+use std::sync::Arc;
+
+use umbrage::Settings;
+use umbrage_judge::statistics::Spread;
+use umbrage_scene::Scene;
+use umbrage_viewer::Start;
+use umbrage_viewer::bench::{self, Benched, Pair};
+use umbrage_viewer::load::Source;
+use umbrage_viewer::native::{self, Options};
+
+use crate::args::{DemoArgs, ViewArgs, WorldArgs};
+use crate::failure::{Failure, Outcome};
+use crate::{output, settings, world};
+
+pub fn run(args: &ViewArgs) -> Outcome {
+    let settings = settings::resolve(&args.shadows)?;
+    let scene = world::load(&args.world, 0)?;
+    let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
+    let start = Start { camera: Some(camera), seconds: args.time, ..of_scene(&args.world, scene, settings) };
+    let size = args.size.map(|(width, height)| [width as f32, height as f32]);
+    let options = Options { adapter: args.adapter.adapter.clone(), size, unlimited: false };
+    match args.bench {
+        None => native::run(start, &options).map_err(work),
+        Some(frames) => {
+            let benched = bench::run(start, &options, frames).map_err(work)?;
+            Ok(output::print(&text(&benched))?)
+        }
+    }
+}
+
+/// The window after the picture of `umbrage demo`.
+pub fn after_demo(args: &DemoArgs, scene: Scene) -> Outcome {
+    let start = of_scene(&args.world, scene, Settings::default());
+    let options = Options { adapter: args.adapter.adapter.clone(), ..Options::default() };
+    native::run(start, &options).map_err(work)
+}
+
+fn of_scene(name: &str, scene: Scene, settings: Settings) -> Start {
+    Start { scene: Some(Arc::new(scene)), ..Start::new(Source::Named(name.to_owned()), settings) }
+}
+
+/// What is seen, as the other commands ask for it.
+fn seen(args: &ViewArgs) -> WorldArgs {
+    let ViewArgs { world, camera, eye, target, time, size: _, shadows: _, adapter: _, bench: _ } = args;
+    WorldArgs {
+        world: world.clone(),
+        camera: camera.clone(),
+        eye: *eye,
+        target: *target,
+        fov: None,
+        near: None,
+        far: None,
+        sun: None,
+        light: Vec::new(),
+        size: None,
+        time: *time,
+        seed: 0,
+    }
+}
+
+fn work(why: String) -> Failure {
+    Failure::Work(anyhow::Error::msg(why))
+}
+
+fn text(benched: &Benched) -> String {
+    let Benched { pairs, size: [width, height], adapter, world, triangles } = benched;
+    let of = |pick: fn(&Pair) -> f64| Spread::of(pairs.iter().map(pick).collect());
+    let (alone, in_window) = (of(|pair| pair.alone), of(|pair| pair.in_window));
+    let ratio = of(|pair| pair.in_window / pair.alone);
+    let row = |name: &str, Spread { median, p5, p95 }: &Spread| {
+        format!("  {name:<10} {median:9.3} ms  ({p5:.3} to {p95:.3})\n")
+    };
+    format!(
+        "{world}: {triangles} triangles, {width} x {height}, {} frames on {adapter}\n{}{}a frame takes {:.3} times as long in the window ({:.3} to {:.3})\n",
+        pairs.len(),
+        row("alone", &alone),
+        row("in window", &in_window),
+        ratio.median,
+        ratio.p5,
+        ratio.p95,
+    )
+}

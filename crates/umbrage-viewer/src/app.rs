@@ -1,0 +1,523 @@
+//! The program: what is loaded, what people chose, and what of it is on the device. One call of [`eframe::App::ui`] is one
+//! look at the pointer, the keys and the device, and at most one picture a side.
+
+use std::sync::Arc;
+
+use eframe::{egui, egui_wgpu};
+use umbrage::Settings;
+use umbrage_render::{ComingPicture, Gpu, Show};
+use umbrage_scene::{Camera, Imported, Scene};
+
+use crate::choices::{Choices, Shown};
+use crate::input::{self, Wish};
+use crate::load::{self, Source};
+use crate::overlay::Overlay;
+use crate::settings_panel::Refused;
+use crate::stage::Stage;
+use crate::task::Task;
+use crate::timings::Timings;
+use crate::trouble::Trouble;
+use crate::{edit, picture, take};
+
+/// What to begin with.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// The world.
+    pub source: Source,
+    /// The world itself, where it is loaded already.
+    pub scene: Option<Arc<Scene>>,
+    /// How shadows are made.
+    pub settings: Settings,
+    /// From where; the world's first camera where absent.
+    pub camera: Option<Camera>,
+    /// When, for things that move, seconds.
+    pub seconds: f32,
+    /// Everything chosen, where it goes on from before.
+    pub choices: Option<Choices>,
+    /// What to say first.
+    pub message: Option<String>,
+}
+
+impl Start {
+    /// A world as it is first seen.
+    pub fn new(source: Source, settings: Settings) -> Self {
+        Self { source, scene: None, settings, camera: None, seconds: 0.0, choices: None, message: None }
+    }
+}
+
+/// A world under way: where it comes from, and what came.
+type Loading = Task<(Source, Result<Imported, String>)>;
+
+/// The program.
+pub struct Viewer {
+    pub(crate) gpu: Gpu,
+    window: egui_wgpu::RenderState,
+    pub(crate) trouble: Trouble,
+    start: Start,
+    /// Where the world on the stage comes from.
+    pub(crate) source: Source,
+    pub(crate) stage: Option<Stage>,
+    pub(crate) choices: Option<Choices>,
+    /// Grows with each world.
+    pub(crate) world: u64,
+    /// Grows with each change of settings.
+    pub(crate) version: u64,
+    pub(crate) loading: Option<Loading>,
+    pub(crate) opening: Option<Task<Option<Source>>>,
+    saving: Option<ComingPicture>,
+    pub(crate) overlay: Overlay,
+    /// Whether there is more to trace.
+    pub(crate) is_tracing: bool,
+    pub(crate) timings: Timings,
+    pub(crate) refused: Option<Refused>,
+    /// What people should read, until they close it.
+    pub(crate) messages: Vec<String>,
+    /// Settings that the device has drawn with, and when others were asked for: frames since.
+    good: Option<([Settings; 2], u32)>,
+    pub(crate) path_typed: String,
+    pub(crate) shown_views: Vec<usize>,
+}
+
+impl std::fmt::Debug for Viewer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Viewer")
+            .field("source", &self.source.name())
+            .field("stage", &self.stage)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Viewer {
+    /// In a window that eframe has made.
+    ///
+    /// # Errors
+    /// When it has no device of wgpu.
+    pub fn new(creation: &eframe::CreationContext<'_>, start: Start) -> Result<Self, String> {
+        let window = creation.wgpu_render_state.clone().ok_or("this window has no graphics device")?;
+        let gpu = Gpu::of_device(&window.adapter, window.device.clone(), window.queue.clone());
+        let trouble = Trouble::of(&window.device, &creation.egui_ctx);
+        let mut viewer = Self {
+            gpu,
+            window,
+            trouble,
+            source: start.source.clone(),
+            messages: start.message.clone().into_iter().collect(),
+            start,
+            stage: None,
+            choices: None,
+            world: 0,
+            version: 0,
+            loading: None,
+            opening: None,
+            saving: None,
+            overlay: Overlay::default(),
+            is_tracing: false,
+            timings: Timings::default(),
+            refused: None,
+            good: None,
+            path_typed: String::new(),
+            shown_views: Vec::new(),
+        };
+        match viewer.start.scene.clone() {
+            Some(scene) => viewer.enter(viewer.source.clone(), scene),
+            None => viewer.load(&creation.egui_ctx, viewer.source.clone()),
+        }
+        Ok(viewer)
+    }
+
+    /// What to begin with, to go on as it is now.
+    pub fn go_on(&self) -> Start {
+        Start {
+            source: self.source.clone(),
+            scene: self.stage.as_ref().map(|stage| Arc::clone(stage.scene())),
+            choices: self.choices.clone(),
+            ..self.start.clone()
+        }
+    }
+
+    /// What was chosen; `None` before the first world.
+    pub fn choices(&mut self) -> Option<&mut Choices> {
+        self.choices.as_mut()
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Why the device was lost, where it was.
+    pub fn lost(&self) -> Option<String> {
+        self.trouble.lost()
+    }
+
+    /// The name of the world that is shown; empty before the first.
+    pub fn world_name(&self) -> &str {
+        self.stage.as_ref().map_or("", |stage| stage.scene().name.as_str())
+    }
+
+    /// Whether a world is on its way.
+    pub fn is_loading(&self) -> bool {
+        self.loading.is_some()
+    }
+
+    /// Whether nothing is under way: no world, no rays.
+    pub fn is_at_rest(&self) -> bool {
+        !self.is_loading() && !self.is_tracing
+    }
+
+    /// What people were told.
+    pub fn messages(&self) -> &[String] {
+        &self.messages
+    }
+
+    /// What is known of how wrong a side is.
+    pub fn figures(&self, side: usize) -> Option<&crate::overlay::Figures> {
+        self.overlay.figures(side)
+    }
+
+    /// Starts to load a world; what is shown stays until it is there.
+    pub fn load(&mut self, context: &egui::Context, source: Source) {
+        let what = format!("loading {}", source.name());
+        let work = move || {
+            let loaded = source.load();
+            (source, loaded)
+        };
+        self.loading = Some(Task::run(what, context, work));
+    }
+
+    /// Shows a world, if the device takes it.
+    fn enter(&mut self, source: Source, scene: Arc<Scene>) {
+        let choices = match (self.choices.take().or_else(|| self.start.choices.take()), self.stage.is_some())
+        {
+            (Some(mut choices), true) => {
+                choices.moved_to(&scene);
+                choices
+            }
+            (Some(choices), false) => choices,
+            (None, _) => self.first_choices(&scene),
+        };
+        let stage = Stage::new(&self.gpu, &self.window, scene, &choices.settings[0]);
+        let stage = stage.and_then(|mut stage| stage.set_settings(choices.sides()).map(|()| stage));
+        match stage {
+            Ok(stage) => {
+                self.stage = Some(stage);
+                self.source = source;
+                self.world += 1;
+                self.overlay = Overlay::default();
+                self.timings = Timings::default();
+                self.shown_views.clear();
+            }
+            Err(why) => self.say(format!("{} cannot be shown: {why}", source.name())),
+        }
+        self.choices = Some(choices);
+    }
+
+    fn first_choices(&self, scene: &Scene) -> Choices {
+        let Start { settings, camera, seconds, .. } = &self.start;
+        Choices {
+            seconds: *seconds,
+            // Four samples cost a software adapter four times.
+            smooth: self.gpu.adapter.kind != "software",
+            ..Choices::new(scene, settings.clone(), camera.as_ref())
+        }
+    }
+
+    /// Tells people something; twice the same is once.
+    pub(crate) fn say(&mut self, message: String) {
+        if !self.messages.contains(&message) {
+            self.messages.push(message);
+        }
+    }
+
+    /// Other settings on the side that is edited, if the device takes them.
+    pub(crate) fn set_settings(&mut self, settings: Settings) {
+        let (Some(choices), Some(stage)) = (&mut self.choices, &mut self.stage) else { return };
+        let before = choices.settings.clone();
+        choices.settings[choices.edited] = settings;
+        self.version += 1;
+        match stage.set_settings(choices.sides()) {
+            Ok(()) => self.good = Some((before, 0)),
+            Err(why) => {
+                choices.settings = before;
+                self.say(format!("these settings cannot be used here: {why}"));
+            }
+        }
+    }
+
+    /// One side, or two.
+    pub(crate) fn set_compare(&mut self, compare: bool) {
+        let (Some(choices), Some(stage)) = (&mut self.choices, &mut self.stage) else { return };
+        choices.compare = compare;
+        choices.edited = 0;
+        self.version += 1;
+        if let Err(why) = stage.set_settings(choices.sides()) {
+            choices.compare = false;
+            self.say(format!("there is no room for a second picture: {why}"));
+        }
+    }
+
+    /// Reads a file that was dropped: settings, or a world.
+    pub(crate) fn open_bytes(&mut self, context: &egui::Context, name: &str, bytes: Vec<u8>) {
+        if load::extension(std::path::Path::new(name)) == "toml" {
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            match edit::from_file(&text) {
+                Ok(settings) => self.set_settings(settings),
+                Err(why) => self.say(format!("{why}, in {name}; the settings stay as they were")),
+            }
+        } else {
+            self.load(context, Source::Bytes { name: name.to_owned(), bytes });
+        }
+    }
+
+    /// Starts to save the picture of the left side.
+    pub(crate) fn save_picture(&mut self) {
+        match self.stage.as_mut().map(|stage| stage.picture_to_save(0)) {
+            Some(Ok(coming)) => self.saving = coming,
+            Some(Err(why)) => self.say(why.to_string()),
+            None => {}
+        }
+    }
+
+    /// What came since the last frame: worlds, files, pictures to save, errors.
+    fn poll(&mut self, context: &egui::Context) {
+        if let Some(Some(done)) = self.loading.as_ref().map(Task::poll) {
+            self.loading = None;
+            match done.and_then(|(source, loaded)| Ok((source, loaded?))) {
+                Ok((source, Imported { scene, warnings })) => {
+                    self.enter(source, Arc::new(scene));
+                    warnings.into_iter().for_each(|warning| self.say(warning));
+                }
+                Err(why) => self.say(why),
+            }
+        }
+        if let Some(Some(picked)) = self.opening.as_ref().map(Task::poll) {
+            self.opening = None;
+            match picked {
+                Ok(Some(Source::Bytes { name, bytes })) => self.open_bytes(context, &name, bytes),
+                Ok(Some(source)) => self.load(context, source),
+                Ok(None) => {}
+                Err(why) => self.say(why),
+            }
+        }
+        self.poll_saving();
+        self.poll_errors();
+        self.take_dropped(context);
+    }
+
+    fn poll_saving(&mut self) {
+        let Some(coming) = &self.saving else { return };
+        if let Some(stage) = &self.stage {
+            stage.poll();
+        }
+        if let Some(picture) = coming.take() {
+            self.saving = None;
+            let saved = picture.map_err(|why| why.to_string()).and_then(|picture| take::png(&picture));
+            match saved.and_then(|bytes| take::save("umbrage", "png", &bytes)) {
+                Ok(path) => self.say(format!("saved {path}")),
+                Err(why) => self.say(format!("the picture was not saved: {why}")),
+            }
+        }
+    }
+
+    /// What the device refused after it had been asked: the settings before come back.
+    fn poll_errors(&mut self) {
+        let errors = self.trouble.errors();
+        if let Some((_, frames)) = &mut self.good {
+            *frames += 1;
+        }
+        if errors.is_empty() || self.lost().is_some() {
+            return;
+        }
+        if let Some((before, _)) = self.good.take_if(|(_, frames)| *frames < 60) {
+            if let (Some(choices), Some(stage)) = (&mut self.choices, &mut self.stage) {
+                choices.settings = before;
+                self.version += 1;
+                // They were in force before.
+                let _ = stage.set_settings(choices.sides());
+            }
+        }
+        errors.into_iter().for_each(|error| self.say(format!("the graphics device refused: {error}")));
+    }
+
+    fn take_dropped(&mut self, context: &egui::Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        for file in dropped {
+            #[cfg(not(target_arch = "wasm32"))]
+            self.take_file(context, &*file);
+            #[cfg(target_arch = "wasm32")]
+            {
+                self.opening = Some(crate::web::read(context, file));
+            }
+        }
+    }
+
+    /// Worlds are loaded from where they lie, so that what they refer to is found.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn take_file(&mut self, context: &egui::Context, file: &dyn egui::DroppedFile) {
+        let path = file.path();
+        let name = path.to_string_lossy().into_owned();
+        if path.is_file() && load::extension(path) != "toml" {
+            return self.load(context, load::of_path(path.to_owned()));
+        }
+        match file.bytes() {
+            Ok(bytes) => self.open_bytes(context, &name, bytes),
+            Err(why) => self.say(format!("{why}: {name}")),
+        }
+    }
+
+    /// What keys asked for.
+    fn grant(&mut self, wish: Wish) {
+        let Some(choices) = &mut self.choices else { return };
+        match wish {
+            Wish::Camera(i) => self.go_to_camera(i),
+            Wish::Motion => choices.flight.motion = input::other(choices.flight.motion),
+            Wish::Play => choices.playing ^= true,
+            Wish::Path => choices.path = if choices.path.is_none() { Some(0.0) } else { None },
+            Wish::Freeze => {
+                choices.frozen = if choices.frozen.is_none() { Some(choices.camera()) } else { None }
+            }
+            Wish::Truth => choices.overlay ^= true,
+            Wish::Compare => {
+                let compare = !choices.compare;
+                self.set_compare(compare);
+            }
+            Wish::Maps => choices.maps ^= true,
+            Wish::Panels => choices.panels ^= true,
+            Wish::Help => choices.help ^= true,
+        }
+    }
+
+    /// To one of the world's cameras.
+    pub(crate) fn go_to_camera(&mut self, number: usize) {
+        let (Some(choices), Some(stage)) = (&mut self.choices, &self.stage) else { return };
+        if let Some(camera) = stage.scene().cameras.get(number) {
+            let elsewhere = Choices::new(stage.scene(), Settings::default(), Some(camera));
+            choices.flight = choices.flight.moved_to(elsewhere.flight);
+            choices.path = None;
+        }
+    }
+
+    /// Time goes on: things move, the camera flies. Whether anything did.
+    fn go_forward(&mut self, context: &egui::Context) -> bool {
+        let Some(choices) = &mut self.choices else { return false };
+        let seconds = context.input(|input| input.stable_dt.min(0.1));
+        let mut moves = input::flown(context, &mut choices.flight);
+        if choices.playing {
+            choices.seconds += seconds;
+            moves = true;
+        }
+        if let (Some(along), Some(stage)) = (choices.path, &self.stage) {
+            /// How long a flight along a world's path takes, seconds.
+            const FLIGHT: f32 = 20.0;
+            let along = (along + seconds / FLIGHT).fract();
+            choices.path = Some(along);
+            match stage.scene().path.world_from_camera(along) {
+                Some(world_from_camera) => choices.flight.follow(world_from_camera),
+                None => choices.path = None,
+            }
+            moves = true;
+        }
+        moves
+    }
+}
+
+impl eframe::App for Viewer {
+    fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
+        self.poll(context);
+        #[cfg(not(target_arch = "wasm32"))]
+        if self.lost().is_some() {
+            context.send_viewport_cmd(egui::ViewportCommand::Close);
+        }
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        for wish in input::wishes(ui.ctx()) {
+            self.grant(wish);
+        }
+        let moves = self.go_forward(ui.ctx());
+        let panels = self.choices.as_ref().is_none_or(|choices| choices.panels);
+        if panels {
+            egui::Panel::top("bar").show(ui, |ui| self.top_bar(ui));
+            egui::Panel::left("what is seen").default_size(264.0).show(ui, |ui| {
+                egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.seen_panels(ui));
+            });
+            egui::Panel::right("settings").default_size(316.0).show(ui, |ui| {
+                egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.settings_panels(ui));
+            });
+        }
+        egui::CentralPanel::no_frame().show(ui, |ui| picture::show(self, ui));
+        self.windows(ui.ctx());
+        // A task paints when it is done; until then what says that it goes on must turn.
+        let waits = self.loading.is_some() || self.saving.is_some();
+        if moves || waits || self.is_tracing {
+            ui.ctx().request_repaint();
+        }
+    }
+}
+
+impl Viewer {
+    fn seen_panels(&mut self, ui: &mut egui::Ui) {
+        self.world_panel(ui);
+        ui.separator();
+        self.method_panel(ui);
+        ui.separator();
+        self.truth_panel(ui);
+    }
+
+    fn settings_panels(&mut self, ui: &mut egui::Ui) {
+        let Some(choices) = &mut self.choices else { return };
+        if choices.compare {
+            ui.horizontal(|ui| {
+                ui.selectable_value(&mut choices.edited, 0, "left").on_hover_text("Change the left side.");
+                ui.selectable_value(&mut choices.edited, 1, "right").on_hover_text("Change the right side.");
+            });
+        }
+        let settings = choices.settings[choices.edited].clone();
+        if let Some(changed) = crate::settings_panel::show(ui, &settings, &mut self.refused) {
+            self.set_settings(changed);
+        }
+    }
+
+    /// What is drawn without panels, over the picture.
+    fn windows(&mut self, context: &egui::Context) {
+        let Some(choices) = &mut self.choices else { return };
+        egui::Window::new("Keys").open(&mut choices.help).resizable(false).show(context, |ui| {
+            egui::Grid::new("keys").striped(true).show(ui, |ui| {
+                for (key, what) in input::KEYS {
+                    ui.strong(*key);
+                    ui.label(*what);
+                    ui.end_row();
+                }
+            });
+        });
+        if choices.maps {
+            self.map_window(context);
+        }
+    }
+
+    /// To a place of the world's path, from 0 to 1.
+    pub(crate) fn fly_to(&mut self, along: f32) {
+        let (Some(choices), Some(stage)) = (&mut self.choices, &self.stage) else { return };
+        if let Some(world_from_camera) = stage.scene().path.world_from_camera(along) {
+            choices.flight.follow(world_from_camera);
+        }
+    }
+
+    /// How long the picture takes alone from where the camera is: milliseconds, and its size, pixels.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) fn time_alone(&mut self) -> Option<(f64, [u32; 2])> {
+        let (choices, stage) = (self.choices.as_ref()?, self.stage.as_mut()?);
+        stage.time_alone(&choices.camera()).ok()?
+    }
+
+    /// The world's name, and how many triangles it has.
+    pub(crate) fn world(&self) -> (String, usize) {
+        let scene = self.stage.as_ref().map(|stage| stage.scene());
+        scene.map_or_else(Default::default, |scene| (scene.name.clone(), scene.triangles()))
+    }
+
+    /// What the picture shows.
+    pub(crate) fn show(&self) -> Show {
+        self.choices.as_ref().map_or(Shown::default(), |choices| choices.shown).show()
+    }
+}

@@ -1,0 +1,88 @@
+//! Where worlds come from: a name, a path, or the bytes of a file that was dropped or picked.
+
+use std::path::{Path, PathBuf};
+
+use umbrage_scene::Imported;
+
+/// More than this is not taken from a browser: the page has 4 GiB in all, and a scene needs several times its file.
+pub const MOST_BYTES: u64 = 512 << 20;
+
+/// A world that can be loaded.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// A built-in world, or a path.
+    Named(String),
+    /// A file's name and its bytes.
+    Bytes {
+        /// With its extension.
+        name: String,
+        /// All of it.
+        bytes: Vec<u8>,
+    },
+}
+
+impl Source {
+    /// For people.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Named(name) => name,
+            Self::Bytes { name, .. } => name,
+        }
+    }
+
+    /// Reads it, or grows it.
+    ///
+    /// # Errors
+    /// In one line: when there is no such world, or the file is none.
+    pub fn load(&self) -> Result<Imported, String> {
+        match self {
+            Self::Named(name) => umbrage_lab::files::load_world(name, 0).map_err(|why| why.to_string()),
+            Self::Bytes { name, bytes } => of_bytes(name, bytes),
+        }
+    }
+}
+
+fn of_bytes(name: &str, bytes: &[u8]) -> Result<Imported, String> {
+    let path = Path::new(name);
+    let stem = path.file_stem().map_or_else(|| name.to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let imported = match extension(path).as_str() {
+        "glb" | "gltf" => umbrage_scene::load_glb_bytes(bytes, &stem),
+        "obj" => umbrage_scene::load_obj_bytes(bytes, &stem),
+        _ => return Err(format!("a world is a .glb, .gltf or .obj; got {name}")),
+    };
+    imported.map_err(|why| {
+        let alone = why.to_string();
+        // In a page a file comes alone.
+        if alone.contains("refers") { format!("{alone}; put everything into one .glb") } else { alone }
+    })
+}
+
+/// A path's extension in lower case; empty where it has none.
+pub fn extension(path: &Path) -> String {
+    path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
+}
+
+/// A path as the name of a world.
+pub fn of_path(path: PathBuf) -> Source {
+    Source::Named(path.to_string_lossy().into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn built_in_worlds_and_bytes_are_loaded_and_anything_else_is_refused_in_a_line() {
+        let world = Source::Named("primitives".to_owned()).load().expect("a built-in world");
+        let bytes = umbrage_scene::to_glb(&world.scene).expect("a file");
+        let read = Source::Bytes { name: "a.GLB".to_owned(), bytes }.load().expect("the same world");
+        assert_eq!(read.scene.triangles(), world.scene.triangles());
+        for (name, bytes) in [("a.glb", &b"glTF"[..]), ("a.obj", b""), ("a.png", b"x"), ("noextension", b"")]
+        {
+            let refused = Source::Bytes { name: name.to_owned(), bytes: bytes.to_vec() }.load();
+            let text = refused.err().unwrap_or_else(|| panic!("{name} is no world"));
+            assert!(!text.contains('\n') && !text.is_empty(), "{text}");
+        }
+        assert!(Source::Named("nowhere".to_owned()).load().is_err());
+    }
+}

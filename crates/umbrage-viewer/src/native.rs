@@ -1,0 +1,137 @@
+//! The window.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use eframe::{egui, egui_wgpu, wgpu};
+use umbrage_render::Gpu;
+
+use crate::app::{Start, Viewer};
+
+/// How the window is made.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Part of the name of the adapter to draw on.
+    pub adapter: Option<String>,
+    /// Size of the window, points; 1280 × 800 where absent.
+    pub size: Option<[f32; 2]>,
+    /// Whether frames come as fast as they can, and do not wait for the screen.
+    pub unlimited: bool,
+}
+
+/// What a program does with a viewer beside showing it: itself, in tests a script around it.
+pub type Wrap<'a> = dyn Fn(Rc<RefCell<Viewer>>) -> Box<dyn eframe::App> + 'a;
+
+/// Opens a window, and returns when it is closed. Where the device is lost another window takes its place, with all that
+/// was chosen.
+///
+/// # Errors
+/// In one line: when there is no display, or no device that can draw.
+pub fn run(start: Start, options: &Options) -> Result<(), String> {
+    run_wrapped(start, options, &|viewer| Box::new(Held(viewer)))
+}
+
+/// As [`run`], with something around the viewer.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_wrapped(start: Start, options: &Options, wrap: &Wrap<'_>) -> Result<(), String> {
+    let mut start = start;
+    loop {
+        let held = Rc::new(RefCell::new(None));
+        let (made, from) = (Rc::clone(&held), start.clone());
+        let create = move |creation: &eframe::CreationContext<'_>| {
+            let viewer = Rc::new(RefCell::new(Viewer::new(creation, from)?));
+            *made.borrow_mut() = Some(Rc::clone(&viewer));
+            Ok(wrap(viewer))
+        };
+        eframe::run_native("Umbrage", native_options(options), Box::new(create))
+            .map_err(|why| remedy(&why))?;
+        let Some(viewer) = held.borrow_mut().take() else { return Ok(()) };
+        let viewer = viewer.borrow();
+        let Some(why) = viewer.lost() else { return Ok(()) };
+        let message = format!("the graphics device was lost ({why}); this is another one");
+        start = Start { message: Some(message), ..viewer.go_on() };
+    }
+}
+
+/// A viewer that others hold too.
+struct Held(Rc<RefCell<Viewer>>);
+
+impl eframe::App for Held {
+    fn logic(&mut self, context: &egui::Context, frame: &mut eframe::Frame) {
+        self.0.borrow_mut().logic(context, frame);
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
+        self.0.borrow_mut().ui(ui, frame);
+    }
+}
+
+fn native_options(options: &Options) -> eframe::NativeOptions {
+    let size = options.size.unwrap_or([1280.0, 800.0]);
+    let mut wgpu_options =
+        egui_wgpu::WgpuConfiguration { wgpu_setup: setup(options.adapter.clone()), ..Default::default() };
+    if options.unlimited {
+        wgpu_options.surface.present_mode = wgpu::PresentMode::AutoNoVsync;
+    }
+    eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("Umbrage")
+            .with_inner_size(size)
+            .with_min_inner_size([320.0, 200.0])
+            .with_drag_and_drop(true),
+        wgpu_options,
+        ..Default::default()
+    }
+}
+
+/// The device that shadows want, on the adapter that was asked for. OpenGL cannot show pictures here.
+pub fn setup(wanted: Option<String>) -> egui_wgpu::WgpuSetup {
+    let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
+    setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
+    setup.device_descriptor = Arc::new(Gpu::wanted_device);
+    setup.native_adapter_selector =
+        Some(Arc::new(move |adapters, surface| choose(adapters, surface, wanted.as_deref())));
+    egui_wgpu::WgpuSetup::CreateNew(setup)
+}
+
+fn choose(
+    adapters: &[wgpu::Adapter],
+    surface: Option<&wgpu::Surface<'_>>,
+    wanted: Option<&str>,
+) -> Result<wgpu::Adapter, String> {
+    let usable =
+        |adapter: &&wgpu::Adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface));
+    let (names, mut usable): (Vec<String>, Vec<&wgpu::Adapter>) =
+        adapters.iter().filter(usable).map(|adapter| (Gpu::describe(adapter).to_string(), adapter)).unzip();
+    let is_wanted = |adapter: &wgpu::Adapter| {
+        let text = Gpu::describe(adapter).to_string().to_lowercase();
+        wanted.is_none_or(|wanted| text.contains(&wanted.to_lowercase()))
+    };
+    usable.retain(|adapter| is_wanted(adapter));
+    usable.sort_by_key(|adapter| Gpu::preference(adapter));
+    let refusal = || {
+        match wanted {
+        Some(wanted) => format!("no adapter's name or backend contains `{wanted}`; there are: {}", names.join("; ")),
+        None => "no graphics adapter can draw into a window here; run scripts/setup, which installs a Vulkan loader and Mesa's software driver".to_owned(),
+    }
+    };
+    usable.first().map(|adapter| (*adapter).clone()).ok_or_else(refusal)
+}
+
+/// Whether there is a display to open a window on.
+pub fn has_display() -> bool {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !cfg!(target_os = "linux") || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")
+}
+
+fn remedy(why: &eframe::Error) -> String {
+    let text = why.to_string().replace('\n', " ");
+    if has_display() {
+        return format!("the window cannot be opened: {text}");
+    }
+    "there is no display to open a window on; use `umbrage render` or `umbrage demo`, which need none"
+        .to_owned()
+}

@@ -1,0 +1,205 @@
+//! The picture: drawn when it changes, one side or two with a divider between them, lines and what is wrong over it.
+
+use eframe::egui::{self, Color32, Pos2, Rect, Sense, Stroke, pos2};
+use umbrage_render::{Frame, RenderError};
+
+use crate::app::Viewer;
+use crate::choices::Choices;
+use crate::stage::Stage;
+use crate::{colours, input, lines, overlay};
+
+/// Half the width of the divider's handle, points.
+const GRIP: f32 = 8.0;
+
+/// Shows it in all the room that there is.
+pub fn show(viewer: &mut Viewer, ui: &mut egui::Ui) {
+    let rect = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(rect, Sense::click_and_drag());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "the picture"));
+    if response.clicked() || response.dragged() {
+        // What was typed in is left, so that keys fly again.
+        ui.memory_mut(|memory| memory.focused().into_iter().for_each(|id| memory.surrender_focus(id)));
+    }
+    ui.painter().rect_filled(rect, 0.0, Color32::from_gray(24));
+    if let Some(choices) = &mut viewer.choices {
+        // Whoever takes the camera in hand leaves the path.
+        if input::pointed(ui, &response, &mut choices.flight) {
+            choices.path = None;
+            ui.ctx().request_repaint();
+        }
+    }
+    if viewer.lost().is_none() {
+        if let Err(why) = draw(viewer, ui, rect) {
+            viewer.say(format!("this cannot be drawn: {why}"));
+        }
+    }
+    paint(viewer, ui, rect);
+    divider(viewer, ui, rect);
+    messages(viewer, ui, rect);
+}
+
+/// Draws what changed, and goes on tracing where nothing did.
+fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderError> {
+    let pixels = size_px(rect, ui.pixels_per_point(), viewer.gpu.device.limits().max_texture_dimension_2d);
+    let show = viewer.show();
+    let (Some(choices), Some(stage)) = (&viewer.choices, &mut viewer.stage) else { return Ok(()) };
+    let frame = frame(choices, stage, pixels)?;
+    let mut drawn = false;
+    for side in 0..stage.sides() {
+        drawn |= stage.draw(side, &Frame { show: show.clone(), ..frame.clone() })?;
+    }
+    let now = ui.input(|input| input.time);
+    for times in stage.times(0) {
+        viewer.timings.push(now, times);
+    }
+    if !choices.overlay || choices.frozen.is_some() {
+        viewer.is_tracing = false;
+        return Ok(());
+    }
+    // While the picture changes, nothing is traced: it would slow it, and be thrown away.
+    if drawn {
+        viewer.overlay.stop();
+        viewer.is_tracing = true;
+        return Ok(());
+    }
+    let shot = overlay::Shot {
+        camera: choices.camera(),
+        lights: choices.lights(stage.scene()),
+        frames: vec![frame; stage.sides()],
+        version: viewer.version,
+    };
+    let distance = stage.plan(0).and_then(|plan| plan.splits().last().copied()).unwrap_or(f64::INFINITY);
+    viewer.is_tracing = viewer.overlay.advance(ui.ctx(), stage, viewer.world, &shot, distance)?;
+    Ok(())
+}
+
+/// The frame that a picture of so many pixels is.
+fn frame(choices: &Choices, stage: &Stage, [width, height]: [u32; 2]) -> Result<Frame, RenderError> {
+    let aspect = width as f32 / height as f32;
+    let lamps = choices.lights(stage.scene()).into_iter();
+    Ok(Frame {
+        camera: umbrage_render::camera(&choices.camera(), aspect)?,
+        planned_for: choices
+            .frozen
+            .as_ref()
+            .map(|camera| umbrage_render::camera(camera, aspect))
+            .transpose()?,
+        lamps: lamps.map(|light| umbrage_render::lamp(&light, choices.seconds)).collect::<Result<_, _>>()?,
+        seconds: choices.seconds,
+        width,
+        height,
+        samples: if choices.smooth { 4 } else { 1 },
+        show: umbrage_render::Show::World,
+    })
+}
+
+/// How many pixels a rectangle has, as many as the device can draw at most.
+fn size_px(rect: Rect, pixels_per_point: f32, most: u32) -> [u32; 2] {
+    [rect.width(), rect.height()].map(|side| ((side * pixels_per_point).round() as u32).clamp(1, most))
+}
+
+/// Puts the sides, what is wrong, and lines on the screen.
+fn paint(viewer: &Viewer, ui: &egui::Ui, rect: Rect) {
+    let (Some(choices), Some(stage)) = (&viewer.choices, &viewer.stage) else { return };
+    let painter = ui.painter_at(rect);
+    let divider = if choices.compare { choices.divider } else { 1.0 };
+    let shares = [0.0..divider, divider..1.0];
+    for (side, share) in shares.into_iter().enumerate().take(stage.sides()) {
+        let part = |x: f32| rect.left() + rect.width() * x;
+        let on_screen = Rect::from_x_y_ranges(part(share.start)..=part(share.end), rect.y_range());
+        let of_picture = Rect::from_min_max(pos2(share.start, 0.0), pos2(share.end, 1.0));
+        let mut image = |id| {
+            painter.image(id, on_screen, of_picture, Color32::WHITE);
+        };
+        stage.picture(side).into_iter().for_each(&mut image);
+        if choices.overlay && choices.frozen.is_none() {
+            viewer.overlay.picture(side).into_iter().for_each(&mut image);
+        }
+    }
+    if choices.lines.any() {
+        paint_lines(choices, stage, &painter, rect);
+    }
+}
+
+fn paint_lines(choices: &Choices, stage: &Stage, painter: &egui::Painter, rect: Rect) {
+    let Some(plan) = stage.plan(0) else { return };
+    let Ok(camera) = umbrage_render::camera(&choices.camera(), rect.width() / rect.height()) else { return };
+    let bounds = stage.scene().bounds_at(choices.seconds);
+    let reach = 1.5 * f64::from(bounds.min.abs().max(bounds.max.abs()).max_element());
+    for (split, line) in lines::of_plan(plan, choices.lines, reach) {
+        if let Some(ends) = lines::project(&camera, line) {
+            let place = |p: glam::Vec2| rect.min + rect.size() * egui::vec2(p.x, p.y);
+            painter.line_segment(
+                ends.map(place),
+                Stroke::new(1.5, colours::of_split(split).gamma_multiply(1.2)),
+            );
+        }
+    }
+}
+
+/// The line between two sides, and the handle that moves it.
+fn divider(viewer: &mut Viewer, ui: &mut egui::Ui, rect: Rect) {
+    let Some(choices) = viewer.choices.as_mut().filter(|choices| choices.compare) else { return };
+    let x = rect.left() + rect.width() * choices.divider;
+    let handle = Rect::from_x_y_ranges(x - GRIP..=x + GRIP, rect.y_range());
+    let response = ui.interact(handle, ui.scope_id().with("divider"), Sense::drag());
+    response.widget_info(|| {
+        egui::WidgetInfo::slider(true, f64::from(choices.divider), "divider between the two sides")
+    });
+    if let Some(Pos2 { x, .. }) = response.interact_pointer_pos().filter(|_| response.dragged()) {
+        choices.divider = ((x - rect.left()) / rect.width().max(1.0)).clamp(0.02, 0.98);
+    }
+    let response = response.on_hover_cursor(egui::CursorIcon::ResizeHorizontal);
+    let colour = if response.hovered() { Color32::WHITE } else { Color32::from_white_alpha(160) };
+    ui.painter().vline(x, rect.y_range(), Stroke::new(2.0, colour));
+    ui.painter().circle(pos2(x, rect.center().y), GRIP, colour, Stroke::new(1.0, Color32::BLACK));
+}
+
+/// What people should read, and what is under way, over the picture.
+fn messages(viewer: &mut Viewer, ui: &mut egui::Ui, rect: Rect) {
+    let under_way = [
+        viewer.loading.as_ref().map(|task| task.what.clone()),
+        viewer.overlay.waits_for().map(str::to_owned),
+    ];
+    let under_way: Vec<String> = under_way.into_iter().flatten().collect();
+    if viewer.messages.is_empty() && under_way.is_empty() {
+        return;
+    }
+    let place = rect.left_top() + egui::vec2(12.0, 12.0);
+    egui::Area::new(ui.scope_id().with("messages")).fixed_pos(place).show(ui.ctx(), |ui| {
+        ui.set_max_width((rect.width() - 24.0).max(160.0));
+        for what in under_way {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.horizontal(|ui| {
+                    ui.spinner();
+                    ui.label(what);
+                });
+            });
+        }
+        let mut closed = None;
+        for (i, message) in viewer.messages.iter().enumerate() {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.horizontal_wrapped(|ui| {
+                    ui.label(message);
+                    if ui.button("close").on_hover_text("Closes this message.").clicked() {
+                        closed = Some(i);
+                    }
+                });
+            });
+        }
+        closed.into_iter().for_each(|i| drop(viewer.messages.remove(i)));
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_has_a_pixel_at_least_and_no_more_than_the_device_can_draw() {
+        let rect = |width, height| Rect::from_min_size(Pos2::ZERO, egui::vec2(width, height));
+        assert_eq!(size_px(rect(100.4, 50.0), 2.0, 4096), [201, 100]);
+        assert_eq!(size_px(rect(0.0, -3.0), 1.0, 4096), [1, 1]);
+        assert_eq!(size_px(rect(9000.0, 10.0), 1.0, 4096), [4096, 10]);
+    }
+}

@@ -1,0 +1,116 @@
+//! Where the view is cut: distances on a linear scale over a logarithmic one, and λ between the two as a handle.
+//!
+//! Zhang et al. 2006, eqs. 4–6: λ = 0 cuts evenly on the linear scale, λ = 1 on the logarithmic one.
+
+use eframe::egui;
+use eframe::egui::{Pos2, Rect, Stroke, Vec2, pos2};
+
+use crate::colours::of_split;
+
+/// Height of the plot, points.
+const HEIGHT: f32 = 96.0;
+
+/// Shows cuts C_0 … C_m, metres, and gives another λ where the handle was dragged.
+pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: f32) -> Option<f32> {
+    let (Some(&near), Some(&far)) = (cuts.first(), cuts.last()) else { return None };
+    let size = Vec2::new(ui.available_width().max(120.0), HEIGHT);
+    let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click_and_drag());
+    let names: Vec<String> = cuts.iter().map(|cut| format!("{cut:.1}")).collect();
+    let words = format!("cuts at {} m, λ {lambda:.2}", names.join(", "));
+    response.widget_info(|| egui::WidgetInfo::slider(true, f64::from(lambda), &words));
+    let painter = ui.painter_at(rect);
+    let inner = rect.shrink2(Vec2::new(10.0, 18.0));
+    let linear = |cut: f64| inner.left() + inner.width() * linear_place(cut, near, far) as f32;
+    let logarithmic = |cut: f64| inner.left() + inner.width() * logarithmic_place(cut, near, far) as f32;
+    for (split, pair) in cuts.windows(2).enumerate() {
+        let corners = vec![
+            pos2(linear(pair[0]), inner.top()),
+            pos2(linear(pair[1]), inner.top()),
+            pos2(logarithmic(pair[1]), inner.bottom()),
+            pos2(logarithmic(pair[0]), inner.bottom()),
+        ];
+        let fill = of_split(split).gamma_multiply(0.7);
+        painter.add(egui::Shape::convex_polygon(corners, fill, Stroke::NONE));
+    }
+    let ink = Stroke::new(1.0, ui.visuals().text_color());
+    painter.hline(inner.x_range(), inner.top(), ink);
+    painter.hline(inner.x_range(), inner.bottom(), ink);
+    for cut in cuts {
+        painter.line_segment([pos2(linear(*cut), inner.top()), pos2(logarithmic(*cut), inner.bottom())], ink);
+    }
+    labels(ui, &painter, inner, near, far);
+    let handle = pos2(inner.right() - inner.width() * 0.02, inner.bottom() - inner.height() * (1.0 - lambda));
+    painter.circle(
+        handle,
+        6.0,
+        ui.visuals().strong_text_color(),
+        Stroke::new(1.0, ui.visuals().extreme_bg_color),
+    );
+    painter.text(
+        handle - Vec2::new(10.0, 0.0),
+        egui::Align2::RIGHT_CENTER,
+        format!("λ {lambda:.2}"),
+        font(ui),
+        ui.visuals().strong_text_color(),
+    );
+    ui.data_mut(|data| data.insert_temp(egui::Id::unique("λ handle"), handle));
+    let dragged = response.dragged() || response.clicked();
+    let pointer = response.interact_pointer_pos();
+    response.on_hover_text(
+        "Where the view is cut. Above, distances as they are; below, their logarithms. λ = 0 cuts evenly above, λ = 1 evenly below. Drag up and down to change λ.\n\nZhang et al. 2006, eqs. 4 to 6",
+    );
+    pointer.filter(|_| dragged).map(|at| lambda_at(at, inner)).filter(|new| *new != lambda)
+}
+
+fn lambda_at(at: Pos2, inner: Rect) -> f32 {
+    let share = ((at.y - inner.top()) / inner.height()).clamp(0.0, 1.0);
+    (share * 100.0).round() / 100.0
+}
+
+fn labels(ui: &egui::Ui, painter: &egui::Painter, inner: Rect, near: f64, far: f64) {
+    let colour = ui.visuals().text_color();
+    let text = |at, anchor, words: String| {
+        painter.text(at, anchor, words, font(ui), colour);
+    };
+    text(inner.left_top(), egui::Align2::LEFT_BOTTOM, format!("{near:.1} m"));
+    text(inner.center_top(), egui::Align2::CENTER_BOTTOM, "linear".to_owned());
+    text(inner.right_top(), egui::Align2::RIGHT_BOTTOM, format!("{far:.0} m"));
+    text(inner.center_bottom(), egui::Align2::CENTER_TOP, "logarithmic".to_owned());
+}
+
+fn font(ui: &egui::Ui) -> egui::FontId {
+    egui::TextStyle::Small.resolve(ui.style())
+}
+
+/// Where a distance lies on the linear scale, 0 to 1.
+fn linear_place(cut: f64, near: f64, far: f64) -> f64 {
+    ((cut - near) / (far - near).max(1e-9)).clamp(0.0, 1.0)
+}
+
+/// Where it lies on the logarithmic scale, 0 to 1.
+fn logarithmic_place(cut: f64, near: f64, far: f64) -> f64 {
+    let near = near.max(1e-6);
+    ((cut.max(near) / near).ln() / (far / near).max(1.000_001).ln()).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scales_end_at_the_ends_and_even_cuts_are_even_on_their_own_scale() {
+        for place in [linear_place, logarithmic_place] {
+            assert_eq!((place(1.0, 1.0, 1000.0), place(1000.0, 1.0, 1000.0)), (0.0, 1.0));
+        }
+        assert!((logarithmic_place(10.0, 1.0, 1000.0) - 1.0 / 3.0).abs() < 1e-9);
+        assert!((linear_place(334.0, 1.0, 1000.0) - 1.0 / 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_handle_is_at_lambda() {
+        let inner = Rect::from_min_size(Pos2::ZERO, Vec2::new(100.0, 50.0));
+        assert_eq!(lambda_at(pos2(3.0, -9.0), inner), 0.0);
+        assert_eq!(lambda_at(pos2(3.0, 40.0), inner), 0.8);
+        assert_eq!(lambda_at(pos2(3.0, 99.0), inner), 1.0);
+    }
+}

@@ -1,0 +1,191 @@
+//! The bar at the top: worlds, cameras, and what can be taken away.
+
+use eframe::egui;
+use umbrage_scene::worlds;
+
+use crate::app::Viewer;
+use crate::load::{MOST_BYTES, Source};
+use crate::take::{self, Cell};
+use crate::task::Task;
+use crate::{edit, input, rust_text};
+
+impl Viewer {
+    pub(crate) fn top_bar(&mut self, ui: &mut egui::Ui) {
+        egui::MenuBar::new().ui(ui, |ui| {
+            ui.menu_button("World", |ui| self.world_menu(ui))
+                .response
+                .on_hover_text("Another world, or a file of yours.");
+            ui.menu_button("Camera", |ui| self.camera_menu(ui))
+                .response
+                .on_hover_text("The world's cameras, flying and orbit.");
+            ui.menu_button("Take", |ui| self.take_menu(ui))
+                .response
+                .on_hover_text("Settings, pictures and experiments to take away.");
+            let Some(choices) = &mut self.choices else { return };
+            if ui.button("Keys").on_hover_text("What to press (F1).").clicked() {
+                choices.help ^= true;
+            }
+            if ui.button("Hide").on_hover_text("Hides the panels; H brings them back.").clicked() {
+                choices.panels = false;
+            }
+            ui.separator();
+            if let Some(stage) = &self.stage {
+                let scene = stage.scene();
+                ui.label(format!("{}: {} triangles", scene.name, scene.triangles()));
+                ui.weak(self.gpu.adapter.to_string());
+            }
+        });
+    }
+
+    fn world_menu(&mut self, ui: &mut egui::Ui) {
+        for world in worlds::ALL {
+            let help = format!("{}\n\n{}", world.summary, world.source);
+            if ui.button(world.name).on_hover_text(help).clicked() {
+                self.load(ui.ctx(), Source::Named(world.name.to_owned()));
+                ui.close();
+            }
+        }
+        ui.separator();
+        let help = "A .glb, .gltf or .obj, or a .toml of settings. Files can also be dropped on the window; they stay on this machine.";
+        if ui.button("Open a file…").on_hover_text(help).clicked() {
+            self.opening = Some(pick(ui.ctx()));
+            ui.close();
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        ui.horizontal(|ui| {
+            let label = ui.label("path");
+            let typed = ui.text_edit_singleline(&mut self.path_typed).labelled_by(label.id);
+            let typed = typed.on_hover_text("The path of a .glb, .gltf or .obj; Enter opens it.");
+            if typed.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
+                self.load(ui.ctx(), Source::Named(self.path_typed.trim().to_owned()));
+                ui.close();
+            }
+        });
+    }
+
+    fn camera_menu(&mut self, ui: &mut egui::Ui) {
+        let names: Vec<String> = match &self.stage {
+            Some(stage) => stage.scene().cameras.iter().map(|camera| camera.name.clone()).collect(),
+            None => return,
+        };
+        for (i, name) in names.iter().enumerate() {
+            if ui
+                .button(format!("{} {name}", i + 1))
+                .on_hover_text("One of the world's own cameras.")
+                .clicked()
+            {
+                self.go_to_camera(i);
+                ui.close();
+            }
+        }
+        let Some(choices) = &mut self.choices else { return };
+        ui.separator();
+        let mut is_orbit = choices.flight.motion == crate::flight::Motion::Orbit;
+        let orbit =
+            ui.checkbox(&mut is_orbit, "orbit").on_hover_text("Dragging goes around what is looked at (O).");
+        if orbit.changed() {
+            choices.flight.motion = input::other(choices.flight.motion);
+        }
+        let mut follows = choices.path.is_some();
+        let path = ui
+            .checkbox(&mut follows, "fly along the path")
+            .on_hover_text("The world's own flight, again and again (P).");
+        if path.changed() {
+            choices.path = follows.then_some(0.0);
+        }
+    }
+
+    fn take_menu(&mut self, ui: &mut egui::Ui) {
+        let Some(settings) = self.choices.as_ref().map(|choices| choices.settings[choices.edited].clone())
+        else {
+            return;
+        };
+        let toml = ui
+            .button("Copy settings as TOML")
+            .on_hover_text("For `umbrage … --shadows FILE.toml`, or to drop here.");
+        if toml.clicked() {
+            match edit::file(&settings) {
+                Ok(text) => ui.ctx().copy_text(text),
+                Err(why) => self.say(why.to_string()),
+            }
+            ui.close();
+        }
+        let rust = ui
+            .button("Copy settings as Rust")
+            .on_hover_text("The expression that makes them, for your renderer.");
+        if rust.clicked() {
+            ui.ctx().copy_text(rust_text::rust(&settings));
+            ui.close();
+        }
+        ui.separator();
+        if ui.button("Save the picture").on_hover_text("As umbrage.png, without panels and lines.").clicked()
+        {
+            self.save_picture();
+            ui.close();
+        }
+        let cell = ui.button("Save a report cell").on_hover_text(
+            "An experiment of this one picture, for `umbrage report`. Where the camera or the sun is not one of the world's, a copy of the world with them goes along.",
+        );
+        if cell.clicked() {
+            match self.save_cell() {
+                Ok(path) => self.say(format!("saved {path}")),
+                Err(why) => self.say(format!("the cell was not saved: {why}")),
+            }
+            ui.close();
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        if ui
+            .button("Open an experiment's page…")
+            .on_hover_text("A page that `umbrage report` has made, in the browser.")
+            .clicked()
+        {
+            let context = ui.ctx().clone();
+            std::thread::spawn(move || {
+                let dialog = rfd::AsyncFileDialog::new().add_filter("pages", &["html"]);
+                if let Some(file) = pollster::block_on(dialog.pick_file()) {
+                    context.open_url(egui::OpenUrl::new_tab(format!("file://{}", file.path().display())));
+                }
+            });
+            ui.close();
+        }
+    }
+
+    fn save_cell(&self) -> Result<String, String> {
+        let (Some(choices), Some(stage)) = (&self.choices, &self.stage) else {
+            return Err("there is no world".to_owned());
+        };
+        let (camera, lights) = (choices.camera(), choices.lights(stage.scene()));
+        let cell = Cell {
+            world: self.source.name(),
+            scene: stage.scene(),
+            camera: &camera,
+            lights: &lights,
+            settings: &choices.settings[choices.edited],
+            size: [640, 360],
+        };
+        let is_file = matches!(self.source, Source::Named(_));
+        let file = if cell.is_named() && is_file {
+            None
+        } else {
+            Some(take::save("umbrage-cell", "glb", &cell.world_file()?)?)
+        };
+        take::save("umbrage-cell", "toml", cell.experiment(file.as_deref())?.as_bytes())
+    }
+}
+
+/// Asks for a file.
+fn pick(context: &egui::Context) -> Task<Option<Source>> {
+    let dialog =
+        rfd::AsyncFileDialog::new().add_filter("worlds and settings", &["glb", "gltf", "obj", "toml"]);
+    Task::wait_for("choosing a file", context, async move {
+        let file = dialog.pick_file().await?;
+        #[cfg(not(target_arch = "wasm32"))]
+        if crate::load::extension(file.path()) != "toml" {
+            return Some(crate::load::of_path(file.path().to_owned()));
+        }
+        let bytes = file.read().await;
+        // What is more is refused by whoever reads it.
+        let bytes = if bytes.len() as u64 > MOST_BYTES { Vec::new() } else { bytes };
+        Some(Source::Bytes { name: file.file_name(), bytes })
+    })
+}
