@@ -257,7 +257,7 @@ impl Viewer {
     }
 
     /// Reads a file that was dropped: settings, or a world.
-    pub(crate) fn open_bytes(&mut self, context: &egui::Context, name: &str, bytes: Vec<u8>) {
+    pub fn open(&mut self, context: &egui::Context, name: &str, bytes: Vec<u8>) {
         if load::extension(std::path::Path::new(name)) == "toml" {
             let text = String::from_utf8_lossy(&bytes).into_owned();
             match edit::from_file(&text) {
@@ -293,7 +293,7 @@ impl Viewer {
         if let Some(Some(picked)) = self.opening.as_ref().map(Task::poll) {
             self.opening = None;
             match picked {
-                Ok(Some(Source::Bytes { name, bytes })) => self.open_bytes(context, &name, bytes),
+                Ok(Some(Source::Bytes { name, bytes })) => self.open(context, &name, bytes),
                 Ok(Some(source)) => self.load(context, source),
                 Ok(None) => {}
                 Err(why) => self.say(why),
@@ -360,7 +360,7 @@ impl Viewer {
             return self.load(context, load::of_path(path.to_owned()));
         }
         match file.bytes() {
-            Ok(bytes) => self.open_bytes(context, &name, bytes),
+            Ok(bytes) => self.open(context, &name, bytes),
             Err(why) => self.say(format!("{why}: {name}")),
         }
     }

@@ -13,6 +13,7 @@ pub mod flight;
 pub mod lines;
 pub mod load;
 pub mod overlay;
+pub mod probe;
 pub mod rust_text;
 pub mod settings_panel;
 pub mod sky;

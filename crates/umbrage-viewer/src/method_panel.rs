@@ -13,7 +13,7 @@ const MAP_SIDE: u32 = 512;
 
 const MARKS: [(Shown, &str, &str); 4] = [
     (Shown::Shadows, "as it is", "The world with its shadows."),
-    (Shown::Marked(Mark::Splits), "splits", "Tinted by the map that serves each place."),
+    (Shown::Marked(Mark::Splits), "splits tint", "Tinted by the map that serves each place."),
     (
         Shown::Marked(Mark::Texels),
         "texels",

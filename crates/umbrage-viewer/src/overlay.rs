@@ -2,7 +2,7 @@
 //! tile by tile from coarse to fine.
 //!
 //! It starts when the picture holds still, and starts again when it changes. While the picture is drawn, nothing is
-//! traced; while it holds still, tracing takes [`SHARE`] of the time.
+//! traced; while it holds still, tracing takes about half of the time ([`budget`]).
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -17,8 +17,11 @@ use web_time::Instant;
 use crate::stage::Stage;
 use crate::task::Task;
 
-/// How long rays are traced between two looks at the pointer and the keys.
-const SHARE: Duration = Duration::from_millis(12);
+/// How long rays are traced between two looks at the pointer and the keys, which come every `frame` seconds: half of the
+/// time, so that the window answers within a tenth of a second however slowly it is painted.
+fn budget(frame: f32) -> Duration {
+    Duration::from_secs_f32((0.5 * frame).clamp(0.012, 0.05))
+}
 
 /// A picture that is judged: what it shows, apart from how its shadows are made.
 #[derive(Clone, Debug, PartialEq)]
@@ -180,8 +183,8 @@ impl Judging {
             .progress
             .get_or_insert_with(|| Progress::new(Arc::clone(tree), eye, lights(), self.distance));
         if !progress.is_done() {
-            let start = Instant::now();
-            let tiles = progress.advance(|| start.elapsed() >= SHARE);
+            let (start, budget) = (Instant::now(), budget(context.input(|input| input.unstable_dt)));
+            let tiles = progress.advance(|| start.elapsed() >= budget);
             self.paint(context, &tiles);
             return Ok(true);
         }

@@ -18,7 +18,7 @@ pub struct Refused {
 }
 
 /// The id of a key's widget.
-pub fn id(name: &str) -> egui::Id {
+fn id(name: &str) -> egui::Id {
     egui::Id::unique(("setting", name))
 }
 
@@ -139,7 +139,6 @@ fn widget(ui: &mut egui::Ui, key: &'static Key, now: &Value) -> Option<Value> {
         Values::Switch => {
             let mut on = now.as_bool()?;
             let response = ui.push_id(id(key.name), |ui| ui.checkbox(&mut on, key.label)).inner;
-            remember(ui, key, &response);
             response.on_hover_text(help()).changed().then_some(Value::Boolean(on))
         }
         Values::Whole { only, .. } if !only.is_empty() => {
@@ -171,8 +170,8 @@ fn widget(ui: &mut egui::Ui, key: &'static Key, now: &Value) -> Option<Value> {
         }
         Values::Number { least, most, slide, logarithmic } => {
             let mut number = now.as_float()?;
-            let slider = slider(egui::Slider::new(&mut number, slide[0]..=slide[1]), key, logarithmic);
-            let response = add(ui, key, slider);
+            let slider = egui::Slider::new(&mut number, slide[0]..=slide[1]).max_decimals(4);
+            let response = add(ui, key, self::slider(slider, key, logarithmic));
             response.changed().then(|| Value::Float(number.clamp(least, most)))
         }
         Values::Choice(choices) => {
@@ -188,7 +187,6 @@ fn widget(ui: &mut egui::Ui, key: &'static Key, now: &Value) -> Option<Value> {
                     }
                 }
             });
-            remember(ui, key, &menu.response);
             menu.response.labelled_by(label.id).on_hover_text(help());
             chosen
         }
@@ -213,23 +211,12 @@ fn widget(ui: &mut egui::Ui, key: &'static Key, now: &Value) -> Option<Value> {
 
 fn slider<'a>(slider: egui::Slider<'a>, key: &Key, logarithmic: bool) -> egui::Slider<'a> {
     let unit = if key.unit.is_empty() { String::new() } else { format!(" {}", key.unit) };
-    slider
-        .text(key.label)
-        .suffix(unit)
-        .logarithmic(logarithmic)
-        .clamping(egui::SliderClamping::Never)
-        .max_decimals(4)
+    slider.text(key.label).suffix(unit).logarithmic(logarithmic).clamping(egui::SliderClamping::Never)
 }
 
 fn add(ui: &mut egui::Ui, key: &'static Key, slider: egui::Slider<'_>) -> egui::Response {
     let response = ui.push_id(id(key.name), |ui| ui.add(slider)).inner;
-    remember(ui, key, &response);
     response.on_hover_text(help(key))
-}
-
-/// Keeps where a key's widget is, for whoever wants to point at it.
-fn remember(ui: &egui::Ui, key: &Key, response: &egui::Response) {
-    ui.data_mut(|data| data.insert_temp(id(key.name), response.rect));
 }
 
 /// A rising list of metres; its length follows from other settings.

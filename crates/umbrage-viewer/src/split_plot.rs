@@ -53,7 +53,6 @@ pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: f32) -> Option<f32> {
         font(ui),
         ui.visuals().strong_text_color(),
     );
-    ui.data_mut(|data| data.insert_temp(egui::Id::unique("λ handle"), handle));
     let dragged = response.dragged() || response.clicked();
     let pointer = response.interact_pointer_pos();
     response.on_hover_text(

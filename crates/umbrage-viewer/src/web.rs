@@ -15,6 +15,7 @@ use web_sys::js_sys;
 
 use crate::app::{Start, Viewer};
 use crate::load::{MOST_BYTES, Source};
+use crate::probe::Probe;
 use crate::task::Task;
 
 /// Runs on the canvas with the id `umbrage`. The page's address may name a world and settings:
@@ -29,6 +30,7 @@ pub async fn start() -> Result<(), JsValue> {
     let canvas: web_sys::HtmlCanvasElement = canvas.dyn_into()?;
     let asked = web_sys::UrlSearchParams::new_with_str(&window.location().search()?)?;
     let mut start = asked_for(&asked);
+    let probes = asked.has("probe");
     loop {
         let runner = eframe::WebRunner::new();
         let held: Rc<RefCell<Option<Rc<RefCell<Viewer>>>>> = Rc::default();
@@ -36,7 +38,8 @@ pub async fn start() -> Result<(), JsValue> {
         let create: eframe::AppCreator<'static> = Box::new(move |creation| {
             let viewer = Rc::new(RefCell::new(Viewer::new(creation, from)?));
             *made.borrow_mut() = Some(Rc::clone(&viewer));
-            Ok(Box::new(Page(viewer)))
+            let probe = probes.then(|| Probe::of(&creation.egui_ctx));
+            Ok(Box::new(Page(viewer, probe)))
         });
         runner.start(canvas.clone(), options(), create).await?;
         // A page runs until it is left, unless its device is lost.
@@ -89,7 +92,7 @@ fn options() -> eframe::WebOptions {
 }
 
 /// The viewer, and what scripts that drive the page may know of it.
-struct Page(Rc<RefCell<Viewer>>);
+struct Page(Rc<RefCell<Viewer>>, Option<Probe>);
 
 impl eframe::App for Page {
     fn logic(&mut self, context: &egui::Context, frame: &mut eframe::Frame) {
@@ -98,12 +101,13 @@ impl eframe::App for Page {
 
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.0.borrow_mut().ui(ui, frame);
-        publish(&self.0.borrow(), ui);
+        publish(&self.0.borrow(), self.1.as_ref());
     }
 }
 
-/// Sets `window.umbrage`: the world, whether anything is under way, what was said, where widgets are, how wrong it is.
-fn publish(viewer: &Viewer, ui: &egui::Ui) {
+/// Sets `window.umbrage`: the world, whether anything is under way, what was said, how wrong it is; and where widgets are,
+/// where the page's address has `probe`.
+fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let state = js_sys::Object::new();
     let set = |key: &str, value: JsValue| {
         // An object of our own takes any key.
@@ -119,13 +123,10 @@ fn publish(viewer: &Viewer, ui: &egui::Ui) {
         set("misShadowed", figures.tally.mis_shadowed().into());
     }
     let widgets = js_sys::Object::new();
-    for key in umbrage::schema::keys() {
-        let rect: Option<egui::Rect> = ui.data(|data| data.get_temp(crate::settings_panel::id(key.name)));
-        if let Some(rect) = rect {
-            let place = [rect.left(), rect.top(), rect.right(), rect.bottom()];
-            let place: js_sys::Array = place.into_iter().map(JsValue::from).collect();
-            let _ = js_sys::Reflect::set(&widgets, &key.name.into(), &place);
-        }
+    for (name, rect) in probe.map(Probe::widgets).unwrap_or_default() {
+        let place = [rect.left(), rect.top(), rect.right(), rect.bottom()];
+        let place: js_sys::Array = place.into_iter().map(JsValue::from).collect();
+        let _ = js_sys::Reflect::set(&widgets, &JsValue::from_str(&name), &place);
     }
     set("widgets", widgets.into());
     if let Some(window) = web_sys::window() {

@@ -1,0 +1,136 @@
+//! The panels: how they look, that every widget has a name, and that what people choose is what comes out.
+//!
+//! References are drawn by lavapipe, in `tests/snapshots`. `UPDATE_SNAPSHOTS=1 cargo test -p umbrage-viewer --test panels`
+//! draws them anew: look at them before you keep them.
+
+use eframe::egui::{self, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use umbrage::schema::{self, Values};
+use umbrage::{Contact, Filter, Settings, Shade, Warp};
+use umbrage_viewer::load::Source;
+use umbrage_viewer::settings_panel::{self, Refused};
+use umbrage_viewer::{Start, Viewer, native};
+
+type Panel = Harness<'static, (Settings, Option<Refused>)>;
+
+fn panel(settings: Settings, height: f32) -> Panel {
+    let show = |ui: &mut egui::Ui, (settings, refused): &mut (Settings, Option<Refused>)| {
+        if let Some(changed) = settings_panel::show(ui, settings, refused) {
+            *settings = changed;
+        }
+    };
+    Harness::builder()
+        .with_size(Vec2::new(340.0, height))
+        .with_max_steps(32)
+        .wgpu_setup(native::setup(Some("vulkan".to_owned())))
+        .build_ui_state(show, (settings, None))
+}
+
+/// Settings of which every group has something to show.
+fn rich() -> Settings {
+    let filter = Filter::of_kind("evsm4").expect("a filter");
+    let shade = Shade::of_kind("colour").expect("a shade");
+    Settings {
+        filter,
+        shade,
+        contact: Some(Contact::default()),
+        distance: Some(300.0),
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn the_panel_of_the_default_looks_as_it_did() {
+    let mut panel = panel(Settings::default(), 560.0);
+    panel.run();
+    panel.snapshot("settings_default");
+}
+
+#[test]
+fn every_group_opens_and_every_key_that_applies_has_a_widget() {
+    let mut panel = panel(rich(), 1500.0);
+    panel.run();
+    for group in ["Bias", "Contact", "Shade"] {
+        panel.get_all_by_label_contains(group).next().expect("a group").click();
+        panel.run();
+    }
+    panel.snapshot("settings_rich");
+    for key in schema::keys_of(&rich()) {
+        let known = panel.query_all_by_label_contains(key.label).count();
+        assert!(known > 0, "{} ({}) is nowhere", key.label, key.name);
+    }
+}
+
+#[test]
+fn a_slider_a_menu_and_a_switch_change_just_their_setting() {
+    let mut panel = panel(Settings::default(), 900.0);
+    panel.run();
+    let slider = |panel: &Panel, name: &str| {
+        let mut nodes = panel.get_all_by_label(name);
+        let is_slider =
+            |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == egui::accesskit::Role::Slider;
+        nodes.find(is_slider).expect("a slider").set_value_accesskit(2.0);
+    };
+    slider(&panel, "splits");
+    panel.run();
+    assert_eq!(panel.state().0, Settings { splits: 2, ..Settings::default() });
+    choose(&mut panel, "warp", "TSM");
+    assert_eq!(panel.state().0, Settings { splits: 2, warp: Warp::Tsm, ..Settings::default() });
+    choose(&mut panel, "kind", "VSM");
+    let vsm = Filter::of_kind("vsm").expect("a filter");
+    assert_eq!(panel.state().0, Settings { splits: 2, warp: Warp::Tsm, filter: vsm, ..Settings::default() });
+    choose(&mut panel, "fit", "stable");
+    assert_eq!(panel.state().0.fit, umbrage::Fit::Scene, "a warp excludes it");
+    assert!(panel.query_by_label_contains("excludes").is_some(), "and the panel says so");
+    panel.get_by_label("reset").click();
+    panel.run();
+    assert_eq!(panel.state().0, Settings::default());
+}
+
+fn choose(panel: &mut Panel, menu: &str, item: &str) {
+    let is_menu =
+        |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == egui::accesskit::Role::ComboBox;
+    panel.get_all_by_label(menu).find(is_menu).expect("a menu").click();
+    panel.run();
+    panel.get_all_by_label(item).last().expect("an item").click();
+    panel.run();
+}
+
+#[test]
+fn every_choice_says_what_it_does_and_every_number_its_range() {
+    for key in schema::keys() {
+        assert!(!key.help.is_empty(), "{}", key.name);
+        match key.values {
+            Values::Choice(choices) => {
+                choices.iter().for_each(|choice| assert!(!choice.help.is_empty(), "{}", choice.name));
+            }
+            _ => assert!(!key.wanted.is_empty(), "{}", key.name),
+        }
+    }
+}
+
+#[test]
+fn every_widget_of_the_whole_window_has_a_name() {
+    let start = Start::new(Source::Named("primitives".to_owned()), Settings::default());
+    let mut harness = Harness::builder()
+        .with_size(Vec2::new(1100.0, 1400.0))
+        .with_max_steps(16)
+        .wgpu_setup(native::setup(Some("vulkan".to_owned())))
+        .build_eframe(move |creation| Viewer::new(creation, start).expect("a device"));
+    for _ in 0..2000 {
+        harness.step();
+        if !harness.state().is_loading() && !harness.state().world_name().is_empty() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert_eq!(harness.state().world_name(), "primitives");
+    harness.state_mut().choices().expect("a world").help = true;
+    harness.state_mut().choices().expect("a world").maps = true;
+    harness.run_steps(4);
+    harness.check_accessibility();
+    for name in ["World", "Camera", "Take", "Keys", "time of day", "show what is wrong", "the picture"] {
+        assert!(harness.query_all_by_label(name).count() > 0, "{name}");
+    }
+}
