@@ -42,6 +42,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "base64",
             "tempfile",
             "thiserror",
+            "web-time",
         ],
     ),
     (
