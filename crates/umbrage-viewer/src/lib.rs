@@ -2,6 +2,9 @@
 //!
 //! This crate does not: know how shadows are made, judged or read from files. It shows what the other crates say.
 
+#[cfg(target_arch = "wasm32")]
+pub mod web;
+
 /// The program.
 #[derive(Debug, Default)]
 pub struct Viewer {}
