@@ -1,8 +1,8 @@
 //! Repository chores: `cargo xtask results` times every world into `docs/results.md`, `cargo xtask error` measures how
 //! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
 //! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask filters` compares every
-//! filter in `docs/filters.md`, `cargo xtask pictures` draws the
-//! pictures of the documents.
+//! filter in `docs/filters.md`, `cargo xtask pictures` draws the pictures of the documents, `cargo xtask web` builds the
+//! web page.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage` and reads its JSON.
 
@@ -13,6 +13,8 @@ mod error;
 mod filters;
 mod pictures;
 mod results;
+#[cfg(feature = "web")]
+mod web;
 
 use clap::{Parser, Subcommand};
 
@@ -73,6 +75,13 @@ enum Chore {
     },
     /// Draws the pictures of the documents
     Pictures,
+    #[cfg(feature = "web")]
+    /// Builds the web page, and prints how large it is
+    Web {
+        /// The folder to write, seen from the repository's root
+        #[arg(long, value_name = "DIR", default_value = "dist")]
+        out: std::path::PathBuf,
+    },
 }
 
 fn main() -> anyhow::Result<()> {
@@ -84,5 +93,7 @@ fn main() -> anyhow::Result<()> {
         Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
         Chore::Filters { adapter, pages } => filters::write(adapter.as_deref(), pages.as_deref()),
         Chore::Pictures => pictures::draw(),
+        #[cfg(feature = "web")]
+        Chore::Web { out } => web::build(&out),
     }
 }

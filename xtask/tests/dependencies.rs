@@ -42,6 +42,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "base64",
             "tempfile",
             "thiserror",
+            "web-time",
         ],
     ),
     (
@@ -89,7 +90,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "epaint_default_fonts",
         ],
     ),
-    ("xtask", &["anyhow", "clap", "serde_json"]),
+    ("xtask", &["anyhow", "clap", "flate2", "serde_json", "wasm-bindgen-cli-support"]),
 ];
 
 #[test]

@@ -42,6 +42,7 @@ pub fn check_writable(folder: &Path) -> Result<(), LabError> {
 }
 
 fn temporary(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "only Unix has permissions to set"))]
     let mut builder = tempfile::Builder::new();
     // As any file a program makes; temporary files are otherwise for their owner alone.
     #[cfg(unix)]

@@ -125,7 +125,7 @@ impl<'a> Laboratory<'a> {
         };
         let times = self.times(&frame, area, frames)?;
 
-        let start = std::time::Instant::now();
+        let start = web_time::Instant::now();
         let world = self.world_at(shot.seconds);
         let distance = shadow_distance(&plan);
         let traced = self.truths.hard(shot, distance, &world);

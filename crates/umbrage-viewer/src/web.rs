@@ -24,6 +24,7 @@ use crate::task::Task;
 /// # Errors
 /// When there is no such canvas, or no WebGPU.
 pub async fn start() -> Result<(), JsValue> {
+    std::panic::set_hook(Box::new(|panic| tell("umbrage-failed", &panic.to_string())));
     let window = web_sys::window().ok_or("no window")?;
     let document = window.document().ok_or("no document")?;
     let canvas = document.get_element_by_id("umbrage").ok_or("no canvas with the id `umbrage`")?;
@@ -42,6 +43,7 @@ pub async fn start() -> Result<(), JsValue> {
             Ok(Box::new(Page(viewer, probe)))
         });
         runner.start(canvas.clone(), options(), create).await?;
+        tell("umbrage-started", "");
         // A page runs until it is left, unless its device is lost.
         let why = loop {
             pause(250).await;
@@ -184,12 +186,14 @@ pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
     web_sys::Url::revoke_object_url(&url).map_err(failed)
 }
 
-/// Hands what ended the program to the page, which shows it in place of the canvas.
-pub fn tell(why: &JsValue) {
-    let Some(window) = web_sys::window() else { return };
-    let tell = js_sys::Reflect::get(&window, &"umbrageFailed".into()).ok();
-    if let Some(tell) = tell.and_then(|tell| tell.dyn_into::<js_sys::Function>().ok()) {
-        // A page without such a function shows it on its console.
-        let _ = tell.call1(&JsValue::NULL, why);
+/// Tells the page something: `umbrage-started`, or `umbrage-failed` with the reason. The page (`web/index.html`) makes
+/// sentences of them.
+pub fn tell(name: &str, detail: &str) {
+    let event = web_sys::CustomEventInit::new();
+    event.set_detail(&JsValue::from_str(detail));
+    let event = web_sys::CustomEvent::new_with_event_init_dict(name, &event);
+    if let (Some(window), Ok(event)) = (web_sys::window(), event) {
+        // Who does not listen does not hear.
+        let _ = window.dispatch_event(&event);
     }
 }

@@ -4,7 +4,8 @@
 fn main() {
     wasm_bindgen_futures::spawn_local(async {
         if let Err(why) = umbrage_viewer::web::start().await {
-            umbrage_viewer::web::tell(&why);
+            let why = why.as_string().unwrap_or_else(|| format!("{why:?}"));
+            umbrage_viewer::web::tell("umbrage-failed", &why);
         }
     });
 }
