@@ -74,6 +74,8 @@ pub struct Viewer {
     pub(crate) messages: Vec<String>,
     /// Settings that the device has drawn with, and when others were asked for: frames since.
     good: Option<([Settings; 2], u32)>,
+    /// Of a world, as people type it.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) path_typed: String,
     pub(crate) shown_views: Vec<usize>,
 }
@@ -115,6 +117,7 @@ impl Viewer {
             timings: Timings::default(),
             refused: None,
             good: None,
+            #[cfg(not(target_arch = "wasm32"))]
             path_typed: String::new(),
             shown_views: Vec::new(),
         };
@@ -495,6 +498,15 @@ impl Viewer {
         }
     }
 
+    /// What the picture shows.
+    pub(crate) fn show(&self) -> Show {
+        self.choices.as_ref().map_or(Shown::default(), |choices| choices.shown).show()
+    }
+}
+
+/// For measuring.
+#[cfg(not(target_arch = "wasm32"))]
+impl Viewer {
     /// To a place of the world's path, from 0 to 1.
     pub(crate) fn fly_to(&mut self, along: f32) {
         let (Some(choices), Some(stage)) = (&mut self.choices, &self.stage) else { return };
@@ -504,7 +516,6 @@ impl Viewer {
     }
 
     /// How long the picture takes alone from where the camera is: milliseconds, and its size, pixels.
-    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn time_alone(&mut self) -> Option<(f64, [u32; 2])> {
         let (choices, stage) = (self.choices.as_ref()?, self.stage.as_mut()?);
         stage.time_alone(&choices.camera()).ok()?
@@ -514,10 +525,5 @@ impl Viewer {
     pub(crate) fn world(&self) -> (String, usize) {
         let scene = self.stage.as_ref().map(|stage| stage.scene());
         scene.map_or_else(Default::default, |scene| (scene.name.clone(), scene.triangles()))
-    }
-
-    /// What the picture shows.
-    pub(crate) fn show(&self) -> Show {
-        self.choices.as_ref().map_or(Shown::default(), |choices| choices.shown).show()
     }
 }

@@ -17,6 +17,9 @@ pub struct Refused {
     pub why: String,
 }
 
+/// Height of a menu's list, points: enough for every filter at once.
+const LIST: f32 = 440.0;
+
 /// The id of a key's widget.
 fn id(name: &str) -> egui::Id {
     egui::Id::unique(("setting", name))
@@ -60,14 +63,15 @@ fn presets(ui: &mut egui::Ui, settings: &Settings) -> Option<Settings> {
     let mut chosen = None;
     ui.horizontal(|ui| {
         let label = ui.label("preset");
-        let menu = egui::ComboBox::from_id_salt("preset").selected_text(name).show_ui(ui, |ui| {
-            for preset in PRESETS {
-                let is_chosen = preset.name == name;
-                if ui.selectable_label(is_chosen, preset.name).on_hover_text(preset.source).clicked() {
-                    chosen = Some((preset.settings)());
+        let menu =
+            egui::ComboBox::from_id_salt("preset").height(LIST).selected_text(name).show_ui(ui, |ui| {
+                for preset in PRESETS {
+                    let is_chosen = preset.name == name;
+                    if ui.selectable_label(is_chosen, preset.name).on_hover_text(preset.source).clicked() {
+                        chosen = Some((preset.settings)());
+                    }
                 }
-            }
-        });
+            });
         menu.response
             .labelled_by(label.id)
             .on_hover_text("Named settings: the default, those of the papers, and those of other engines.");
@@ -179,14 +183,17 @@ fn widget(ui: &mut egui::Ui, key: &'static Key, now: &Value) -> Option<Value> {
             let shown = choices.iter().find(|choice| choice.name == now).map_or(now, |choice| choice.label);
             let mut chosen = None;
             let label = ui.label(key.label);
-            let menu = egui::ComboBox::from_id_salt(id(key.name)).selected_text(shown).show_ui(ui, |ui| {
-                for choice in choices {
-                    let response = ui.selectable_label(choice.name == now, choice.label);
-                    if response.on_hover_text(format!("{}\n\n{}", choice.help, choice.source)).clicked() {
-                        chosen = Some(Value::String(choice.name.to_owned()));
+            let menu = egui::ComboBox::from_id_salt(id(key.name)).height(LIST).selected_text(shown).show_ui(
+                ui,
+                |ui| {
+                    for choice in choices {
+                        let response = ui.selectable_label(choice.name == now, choice.label);
+                        if response.on_hover_text(format!("{}\n\n{}", choice.help, choice.source)).clicked() {
+                            chosen = Some(Value::String(choice.name.to_owned()));
+                        }
                     }
-                }
-            });
+                },
+            );
             menu.response.labelled_by(label.id).on_hover_text(help());
             chosen
         }

@@ -94,7 +94,8 @@ impl Cell<'_> {
         Ok(format!(
             "# Run with: umbrage report THIS.toml -o DIR\n\
              title = {title}\nsource = \"this project\"\nreported = \"A cell saved from the viewer.\"\n\
-             worlds = [{world}]\ncameras = [{camera}]\nsize = [{width}, {height}]\n\n\
+             worlds = [{world}]\ncameras = [{camera}]\nsize = [{width}, {height}]\n\
+             columns = [\"error.mis_shadowed\", \"error.false_shadow\", \"error.false_light\", \"error.edge_displacement_px\"]\n\n\
              [[ways]]\nname = \"viewer\"\n\n{set}",
             title = quoted(&format!("{} from the viewer", self.scene.name)),
             world = quoted(world),
@@ -124,7 +125,10 @@ mod tests {
             };
             assert!(cell.is_named());
             let text = cell.experiment(None).expect("an experiment");
-            let experiment: Experiment = toml::from_str(&text).unwrap_or_else(|why| panic!("{why}: {text}"));
+            let folder = tempfile::tempdir().expect("a folder");
+            let path = folder.path().join("cell.toml");
+            std::fs::write(&path, &text).expect("a file");
+            let experiment = Experiment::read(&path).unwrap_or_else(|why| panic!("{why}: {text}"));
             assert_eq!((experiment.worlds, experiment.size), (vec!["primitives".to_owned()], [320, 200]));
             assert_eq!(experiment.ways.len(), 1, "{text}");
         }
