@@ -31,6 +31,7 @@ impl Trouble {
                 Some(if reason.is_empty() { "no reason given".to_owned() } else { first_line(&reason) });
             ctx.request_repaint();
         });
+        context.add_plugin(Guard { device: device.clone(), trouble: trouble.clone() });
         trouble
     }
 
@@ -42,6 +43,27 @@ impl Trouble {
     /// Why the device was lost, where it was.
     pub fn lost(&self) -> Option<String> {
         lock(&self.said).lost.clone()
+    }
+}
+
+/// Keeps egui from painting on a device that was lost while a frame was made: it would end the program.
+struct Guard {
+    device: wgpu::Device,
+    trouble: Trouble,
+}
+
+impl egui::Plugin for Guard {
+    fn debug_name(&self) -> &'static str {
+        "umbrage::guard"
+    }
+
+    fn output_hook(&mut self, _context: &egui::Context, output: &mut egui::FullOutput) {
+        // What matters is what it says while it is asked.
+        let _ = self.device.poll(wgpu::PollType::Poll);
+        if self.trouble.lost().is_some() {
+            output.shapes.clear();
+            output.textures_delta.clear();
+        }
     }
 }
 
