@@ -158,6 +158,11 @@ impl Viewer {
         self.stage.as_ref().map_or("", |stage| stage.scene().name.as_str())
     }
 
+    /// How the shadows of the left side are made; `None` before the first world.
+    pub fn settings(&self) -> Option<&Settings> {
+        self.choices.as_ref().map(|choices| &choices.settings[0])
+    }
+
     /// Whether a world is on its way.
     pub fn is_loading(&self) -> bool {
         self.loading.is_some()

@@ -85,7 +85,8 @@ impl Choices {
             frozen: None,
             overlay: false,
             maps: false,
-            look: MapLook::default(),
+            // What is drawn lies within a few hundredths of the range, where all greys are alike.
+            look: MapLook { stretch: true, ..MapLook::default() },
             hour: None,
             seconds: 0.0,
             playing: false,

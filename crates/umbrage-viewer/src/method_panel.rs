@@ -93,9 +93,11 @@ impl Viewer {
             })
             .collect();
         let mut failed = None;
-        egui::Window::new("Shadow maps").open(&mut choices.maps).default_size([300.0, 380.0]).show(
-            context,
-            |ui| {
+        egui::Window::new("Shadow maps")
+            .open(&mut choices.maps)
+            .default_size([300.0, 380.0])
+            .default_pos([288.0, 48.0])
+            .show(context, |ui| {
                 look(ui, &mut choices.look);
                 let chosen =
                     self.shown_views.first().copied().unwrap_or(0).min(views.len().saturating_sub(1));
@@ -120,8 +122,7 @@ impl Viewer {
                     }
                     Err(why) => failed = Some(why.to_string()),
                 }
-            },
-        );
+            });
         if let Some(why) = failed {
             self.say(why);
         }

@@ -31,6 +31,7 @@ impl Trouble {
                 Some(if reason.is_empty() { "no reason given".to_owned() } else { first_line(&reason) });
             ctx.request_repaint();
         });
+        #[cfg(not(target_arch = "wasm32"))]
         context.add_plugin(Guard { device: device.clone(), trouble: trouble.clone() });
         trouble
     }
@@ -46,12 +47,14 @@ impl Trouble {
     }
 }
 
-/// Keeps egui from painting on a device that was lost while a frame was made: it would end the program.
+/// Keeps egui from painting on a device that was lost while a frame was made: it would end the program. Browsers let it.
+#[cfg(not(target_arch = "wasm32"))]
 struct Guard {
     device: wgpu::Device,
     trouble: Trouble,
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 impl egui::Plugin for Guard {
     fn debug_name(&self) -> &'static str {
         "umbrage::guard"

@@ -107,7 +107,7 @@ impl eframe::App for Page {
     }
 }
 
-/// Sets `window.umbrage`: the world, whether anything is under way, what was said, how wrong it is; and where widgets are,
+/// Sets `window.umbrage`: the world, its settings, whether anything is under way, what was said, how wrong it is; and where widgets are,
 /// where the page's address has `probe`.
 fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let state = js_sys::Object::new();
@@ -120,6 +120,9 @@ fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let messages: js_sys::Array =
         viewer.messages().iter().map(|message| JsValue::from_str(message)).collect();
     set("messages", messages.into());
+    if let Some(settings) = viewer.settings().and_then(|settings| crate::edit::file(settings).ok()) {
+        set("settings", settings.into());
+    }
     if let Some(figures) = viewer.figures(0) {
         set("judged", (figures.tally.judged as f64).into());
         set("misShadowed", figures.tally.mis_shadowed().into());

@@ -199,6 +199,7 @@ impl Scripted {
             Step::Click(name) => {
                 let at = self.find(name).center();
                 self.events.extend(press(at, true).into_iter().chain(press(at, false)));
+                self.events.push_back(Event::PointerMoved(ASIDE));
             }
             Step::Drag(name, from, to) => {
                 let rect = self.find(name);
@@ -206,6 +207,7 @@ impl Scripted {
                 self.events.extend(press(at(from), true));
                 self.events.extend([Event::PointerMoved(at(0.5 * (from + to))), Event::PointerMoved(at(to))]);
                 self.events.extend(press(at(to), false));
+                self.events.push_back(Event::PointerMoved(ASIDE));
             }
             Step::Key(key) => {
                 let event = |pressed| Event::Key {
@@ -262,6 +264,9 @@ impl Scripted {
         self.log.borrow_mut().seen.insert(name, seen);
     }
 }
+
+/// Where nothing explains itself.
+const ASIDE: Pos2 = Pos2::new(4.0, 720.0);
 
 /// The pointer comes, and its button goes down or up.
 fn press(at: Pos2, pressed: bool) -> [Event; 2] {

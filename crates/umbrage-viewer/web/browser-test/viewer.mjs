@@ -1,0 +1,180 @@
+// Uses the page as a person would, and compares its shadows with those of the native program:
+//   node viewer.mjs DIST PICTURES UMBRAGE
+// UMBRAGE is the command, as target/release/umbrage. Ends with 1 if anything went wrong. Look at the pictures.
+
+import { execFileSync } from "node:child_process";
+import { mkdir, mkdtemp, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { PNG } from "pngjs";
+import { launch, serve } from "./browser.mjs";
+
+const [dist, pictures, umbrage] = process.argv.slice(2);
+if (!umbrage) {
+  console.error("node viewer.mjs DIST PICTURES UMBRAGE");
+  process.exit(2);
+}
+await mkdir(pictures, { recursive: true });
+const scratch = await mkdtemp(join(tmpdir(), "umbrage-viewer-"));
+const server = await serve(dist);
+const browser = await launch({ width: 1180, height: 760 });
+const { page } = browser;
+
+function check(is, what) {
+  if (!is) throw new Error(what);
+  console.log(`  ${what}`);
+}
+
+/** What the page says of itself (`publish` in web.rs). */
+const state = () => page.global("umbrage");
+
+/** Waits until the page says something of itself. */
+async function until(what, is, timeout = 120_000) {
+  const end = Date.now() + timeout;
+  for (;;) {
+    const now = await state();
+    if (now && is(now)) return now;
+    if (Date.now() > end) throw new Error(`${what} did not come; the page says ${JSON.stringify({ ...now, widgets: undefined })}`);
+    await page.wait(100);
+  }
+}
+
+async function widget(name) {
+  const found = (await until(`the widget ${name}`, (now) => now.widgets[name], 10_000)).widgets[name];
+  const [left, top, right, bottom] = found;
+  return { left, top, right, bottom, x: (left + right) / 2, y: (top + bottom) / 2 };
+}
+
+async function click(name) {
+  const { x, y } = await widget(name);
+  await page.click(x, y);
+}
+
+/** Keeps what is on the screen; the picture in it, without panels. */
+async function look(name) {
+  await page.wait(600);
+  const path = join(pictures, `${name}.png`);
+  await page.screenshot(path);
+  const all = PNG.sync.read(await readFile(path));
+  const { left, top, right, bottom } = await widget("the picture");
+  const [width, height] = [Math.round(right - left), Math.round(bottom - top)];
+  const picture = new PNG({ width, height });
+  PNG.bitblt(all, picture, Math.round(left), Math.round(top), width, height, 0, 0);
+  return picture;
+}
+
+/** How many pixels differ by more than eight bits' noise. */
+function differing(a, b) {
+  let count = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    if ([0, 1, 2].some((c) => Math.abs(a.data[i + c] - b.data[i + c]) > 6)) count += 1;
+  }
+  return count;
+}
+
+/** Pixels of `a` that are like none of the pixels within `reach` in `b`: what is not a matter of where an edge lies. */
+function strange(a, b, reach) {
+  const { width, height } = a;
+  let count = 0;
+  for (let y = reach; y < height - reach; y++) {
+    for (let x = reach; x < width - reach; x++) {
+      const at = 4 * (y * width + x);
+      const isNear = [0, 1, 2].every((c) => {
+        let [low, high] = [255, 0];
+        for (let dy = -reach; dy <= reach; dy++) {
+          for (let dx = -reach; dx <= reach; dx++) {
+            const value = b.data[4 * ((y + dy) * width + x + dx) + c];
+            [low, high] = [Math.min(low, value), Math.max(high, value)];
+          }
+        }
+        return a.data[at + c] >= low - 6 && a.data[at + c] <= high + 6;
+      });
+      if (!isNear) count += 1;
+    }
+  }
+  return count;
+}
+
+async function main() {
+  console.log("a world, and its shadows");
+  const start = Date.now();
+  await page.goto(server.url, { world: "primitives", probe: "1" });
+  await until("the world", (now) => now.world === "primitives" && now.atRest);
+  console.log(`  shown after ${((Date.now() - start) / 1e3).toFixed(1)} s`);
+  const first = await look("web-primitives");
+  const file = join(pictures, "native-primitives.png");
+  execFileSync(umbrage, ["render", "primitives", "--size", `${first.width}x${first.height}`, "-o", file], { stdio: "inherit" });
+  const native = PNG.sync.read(await readFile(file));
+  const [apart, total] = [differing(first, native), first.width * first.height];
+  const odd = strange(first, native, 1);
+  console.log(`  ${apart} of ${total} pixels differ from the native picture; ${odd} are like none within a pixel there`);
+  check(apart < 0.01 * total, "the picture is the native one but for a hundredth of its pixels");
+  check(odd < 1e-4 * total, "and those are at edges, off by a pixel at most");
+
+  console.log("a slider");
+  const slider = await widget("λ");
+  await page.drag([slider.left + 0.76 * (slider.right - slider.left), slider.y], [slider.left + 4, slider.y]);
+  const moved = await until("another λ", (now) => !now.settings.includes("lambda = 0.8\n") && now.atRest, 20_000);
+  console.log(`  ${moved.settings.match(/lambda = .*/)[0]}`);
+  check(differing(first, await look("web-lambda")) > 20, "the picture changes");
+  await click("reset");
+  await until("the default", (now) => now.settings.includes("lambda = 0.8\n"));
+  check(differing(first, await look("web-reset")) === 0, "and is as it was when it is reset");
+
+  console.log("what is wrong");
+  await click("show what is wrong");
+  const judged = await until("the truth", (now) => now.judged > 10_000 && now.atRest);
+  await look("web-truth");
+  console.log(`  ${judged.judged} pixels judged, ${(100 * judged.misShadowed).toFixed(3)} % mis-shadowed`);
+  check(judged.misShadowed < 0.02, "less than 2 % is wrong");
+  await click("show what is wrong");
+
+  console.log("files that are dropped");
+  const glb = join(scratch, "stranger.glb");
+  execFileSync(umbrage, ["worlds", "export", "bunny", glb]);
+  await page.drop("stranger.glb", await readFile(glb), 500, 400);
+  await until("the dropped world", (now) => now.world === "stranger" && now.atRest);
+  await look("web-dropped");
+  check(true, "a .glb is shown");
+  await page.drop("no-scene.glb", Buffer.from("glTF, it says"), 500, 400);
+  const refused = await until("a refusal", (now) => now.messages.length > 0);
+  check(refused.world === "stranger", `what is none is refused, and the world stays: ${refused.messages[0]}`);
+  await page.drop("newer.toml", Buffer.from("[shadows]\nvirtual_pages = 4096\n"), 500, 400);
+  await until("another refusal", (now) => now.messages.some((message) => message.includes("virtual_pages")));
+  await look("web-refused");
+  check(true, "settings of a newer version are refused by their key");
+
+  console.log("a tab in the background");
+  const other = await page.tab.context().newPage();
+  await other.goto("about:blank");
+  await page.wait(3000);
+  await other.close();
+  await page.tab.bringToFront();
+  await until("the page again", (now) => now.world === "stranger" && now.atRest);
+  await look("web-back");
+
+  console.log("the default world");
+  const again = Date.now();
+  await page.goto(server.url, { probe: "1" });
+  await until("the world", (now) => now.world === "mining-terrain" && now.atRest, 300_000);
+  console.log(`  shown after ${((Date.now() - again) / 1e3).toFixed(1)} s, on a software GPU`);
+  await look("web-mining-terrain");
+
+  const faults = page.faults();
+  check(faults.length === 0, `the page does not complain${faults.length ? `: ${faults[0].text}` : ""}`);
+}
+
+let status = 0;
+try {
+  await main();
+} catch (error) {
+  status = 1;
+  console.error(error.message);
+  for (const { kind, text } of page.messages.slice(-20)) console.error(`  ${kind}: ${text}`);
+  await page.screenshot(join(pictures, "web-failed.png")).catch(() => {});
+} finally {
+  await browser.close();
+  server.close();
+  await rm(scratch, { recursive: true, force: true });
+}
+process.exit(status);
