@@ -21,7 +21,7 @@ const PICTURES: &[(&str, &str, &str)] = &[
 
 pub fn draw() -> anyhow::Result<()> {
     std::fs::create_dir_all(root().join("docs/pictures"))?;
-    umbrage(&["demo", "-o", "docs/pictures/demo.png"])?;
+    umbrage(&["demo", "--no-window", "-o", "docs/pictures/demo.png"])?;
     for (world, camera, file) in PICTURES {
         let output = format!("docs/pictures/{file}.png");
         let size = if *file == "mining-terrain" { "1280x720" } else { "640x360" };

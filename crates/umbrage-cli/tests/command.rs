@@ -149,6 +149,14 @@ fn demo_draws_one_picture_and_prints_its_table() {
 }
 
 #[test]
+fn a_window_without_a_display_is_refused_and_so_are_wrong_words_for_one() {
+    refused(&["view", "primitives"], 1, "no display", None);
+    refused(&["view", "primitives", "--camera", "nowhere"], 2, "nowhere", None);
+    refused(&["view", "primitives", "--set", "splits=0"], 2, "splits", None);
+    refused(&["view", "atlantis"], 2, "atlantis", None);
+}
+
+#[test]
 fn lists_name_every_world_preset_and_adapter() {
     let worlds = stdout(&["worlds"]);
     for name in [

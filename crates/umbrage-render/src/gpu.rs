@@ -37,7 +37,9 @@ pub struct AdapterDescription {
 impl std::fmt::Display for AdapterDescription {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { name, backend, kind, driver, timestamps: _, unclipped_depth: _, view_formats: _ } = self;
-        write!(f, "{name} ({kind}, {backend}, {driver})")
+        let parts = [kind, backend, driver].map(String::as_str);
+        let known: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        write!(f, "{name} ({})", known.join(", "))
     }
 }
 
@@ -58,7 +60,8 @@ fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
         wgpu::DeviceType::Other => "other",
     };
     AdapterDescription {
-        name: info.name,
+        // Browsers do not tell.
+        name: if info.name.is_empty() { "the browser's adapter".to_owned() } else { info.name },
         backend: info.backend.to_string(),
         kind: kind.to_owned(),
         driver: [info.driver, info.driver_info].join(" ").trim().to_owned(),

@@ -97,6 +97,8 @@ impl Viewer {
     pub fn new(creation: &eframe::CreationContext<'_>, start: Start) -> Result<Self, String> {
         let window = creation.wgpu_render_state.clone().ok_or("this window has no graphics device")?;
         let gpu = Gpu::of_device(&window.adapter, window.device.clone(), window.queue.clone());
+        // Pictures are judged before a dark wall.
+        creation.egui_ctx.set_theme(egui::Theme::Dark);
         let trouble = Trouble::of(&window.device, &creation.egui_ctx);
         let mut viewer = Self {
             gpu,

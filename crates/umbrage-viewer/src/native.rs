@@ -121,6 +121,10 @@ fn choose(
     usable.first().map(|adapter| (*adapter).clone()).ok_or_else(refusal)
 }
 
+/// What to do where there is none.
+pub const NO_DISPLAY: &str =
+    "there is no display to open a window on; use `umbrage render` or `umbrage demo`, which need none";
+
 /// Whether there is a display to open a window on.
 pub fn has_display() -> bool {
     let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
@@ -132,6 +136,5 @@ fn remedy(why: &eframe::Error) -> String {
     if has_display() {
         return format!("the window cannot be opened: {text}");
     }
-    "there is no display to open a window on; use `umbrage render` or `umbrage demo`, which need none"
-        .to_owned()
+    NO_DISPLAY.to_owned()
 }

@@ -18,6 +18,9 @@ pub fn run(args: &ViewArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::load(&args.world, 0)?;
     let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
+    if !native::has_display() {
+        return Err(work(native::NO_DISPLAY.to_owned()));
+    }
     let start = Start { camera: Some(camera), seconds: args.time, ..of_scene(&args.world, scene, settings) };
     let size = args.size.map(|(width, height)| [width as f32, height as f32]);
     let options = Options { adapter: args.adapter.adapter.clone(), size, unlimited: false };

@@ -7,6 +7,8 @@ pub fn umbrage(args: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_umbrage"));
     // Mesa's GL complains on stderr where it has no such folder.
     command.args(args).env("XDG_RUNTIME_DIR", std::env::temp_dir());
+    // No window is to open in a person's face.
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
     command.output().expect("the command runs")
 }
 
