@@ -20,6 +20,7 @@ pub mod sky;
 pub mod take;
 
 mod app;
+mod blit;
 mod colours;
 mod input;
 mod method_panel;

@@ -82,6 +82,8 @@ fn native_options(options: &Options) -> eframe::NativeOptions {
             .with_inner_size(size)
             .with_min_inner_size([320.0, 200.0])
             .with_drag_and_drop(true),
+        // The picture is eight bits already, and noise over it costs a software adapter dear.
+        dithering: false,
         wgpu_options,
         ..Default::default()
     }

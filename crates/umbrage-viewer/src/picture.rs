@@ -20,7 +20,9 @@ pub fn show(viewer: &mut Viewer, ui: &mut egui::Ui) {
         // What was typed in is left, so that keys fly again.
         ui.memory_mut(|memory| memory.focused().into_iter().for_each(|id| memory.surrender_focus(id)));
     }
-    ui.painter().rect_filled(rect, 0.0, Color32::from_gray(24));
+    if viewer.stage.is_none() {
+        ui.painter().rect_filled(rect, 0.0, Color32::from_gray(24));
+    }
     if let Some(choices) = &mut viewer.choices {
         // Whoever takes the camera in hand leaves the path.
         if input::pointed(ui, &response, &mut choices.flight) {
@@ -106,14 +108,14 @@ fn paint(viewer: &Viewer, ui: &egui::Ui, rect: Rect) {
     let shares = [0.0..divider, divider..1.0];
     for (side, share) in shares.into_iter().enumerate().take(stage.sides()) {
         let part = |x: f32| rect.left() + rect.width() * x;
-        let on_screen = Rect::from_x_y_ranges(part(share.start)..=part(share.end), rect.y_range());
-        let of_picture = Rect::from_min_max(pos2(share.start, 0.0), pos2(share.end, 1.0));
-        let mut image = |id| {
-            painter.image(id, on_screen, of_picture, Color32::WHITE);
-        };
-        stage.picture(side).into_iter().for_each(&mut image);
+        // Each side is all of the picture, and seen through its share of the screen.
+        let window = Rect::from_x_y_ranges(part(share.start)..=part(share.end), rect.y_range());
+        let painter = painter.with_clip_rect(window.intersect(painter.clip_rect()));
+        painter.extend(stage.picture(side, rect));
         if choices.overlay && choices.frozen.is_none() {
-            viewer.overlay.picture(side).into_iter().for_each(&mut image);
+            if let Some(id) = viewer.overlay.picture(side) {
+                painter.image(id, rect, Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0)), Color32::WHITE);
+            }
         }
     }
     if choices.lines.any() {

@@ -8,6 +8,8 @@ use umbrage::{Settings, ShadowPlan};
 use umbrage_render::{ComingPicture, Drawn, Frame, Gpu, MapLook, RenderError, Renderer, ViewLoad};
 use umbrage_scene::Scene;
 
+use crate::blit::Blit;
+
 /// Milliseconds of a frame: planning on the CPU; casters, filter and shading on the device.
 pub type PassTimes = [f64; 4];
 
@@ -18,11 +20,14 @@ pub struct Stage {
     window: egui_wgpu::RenderState,
     sides: Vec<Side>,
     map: Shown,
+    blit: Option<Blit>,
 }
 
 /// One way to draw it.
 struct Side {
     renderer: Renderer,
+    /// The picture, and what egui knows it as where egui puts it on the screen.
+    shown: Option<wgpu::TextureView>,
     picture: Shown,
     /// What is in the picture.
     frame: Option<Frame>,
@@ -55,6 +60,7 @@ impl Stage {
             window: window.clone(),
             sides: vec![Side::new(renderer)],
             map: Shown::default(),
+            blit: Blit::new(window),
         })
     }
 
@@ -102,7 +108,12 @@ impl Stage {
             return Ok(false);
         }
         let drawn = side.renderer.draw(frame)?;
-        side.picture.show(&self.window, &side.renderer.shown()?);
+        // What is asked of the renderer later is drawn into other textures.
+        let shown = side.renderer.shown()?;
+        if self.blit.is_none() {
+            side.picture.show(&self.window, &shown);
+        }
+        side.shown = Some(shown);
         side.awaited.push_back(Some(drawn.plan_milliseconds));
         side.frame = Some(frame.clone());
         side.drawn = Some(drawn);
@@ -151,9 +162,14 @@ impl Stage {
         self.ask(side, &frame).map(Some)
     }
 
-    /// A side's picture, as egui knows it.
-    pub fn picture(&self, side: usize) -> Option<egui::TextureId> {
-        self.sides.get(side)?.picture.id
+    /// What covers a rectangle of the screen with a side's picture.
+    pub fn picture(&self, side: usize, rect: egui::Rect) -> Option<egui::Shape> {
+        let side = self.sides.get(side)?;
+        if let Some(blit) = &self.blit {
+            return Some(blit.shape(&self.window, side.shown.as_ref()?, rect));
+        }
+        let whole = egui::Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
+        Some(egui::Shape::image(side.picture.id?, rect, whole, egui::Color32::WHITE))
     }
 
     /// The plan of a side's picture.
@@ -218,7 +234,14 @@ impl Drop for Stage {
 
 impl Side {
     fn new(renderer: Renderer) -> Self {
-        Self { renderer, picture: Shown::default(), frame: None, drawn: None, awaited: VecDeque::new() }
+        Self {
+            renderer,
+            shown: None,
+            picture: Shown::default(),
+            frame: None,
+            drawn: None,
+            awaited: VecDeque::new(),
+        }
     }
 }
 
