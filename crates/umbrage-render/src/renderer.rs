@@ -365,13 +365,13 @@ impl Renderer {
         let (width, height) = if frame.show == Show::Nothing { (1, 1) } else { (frame.width, frame.height) };
         let gpu = &self.gpu;
         let target = &mut self.targets[encoding as usize];
-        if !target.as_ref().is_some_and(|t| (t.width, t.height, t.samples) == (width, height, samples)) {
+        if target.as_ref().is_none_or(|t| (t.width, t.height, t.samples) != (width, height, samples)) {
             *target = None;
             let make = || Target::new(gpu, width, height, encoding, samples);
             *target = Some(gpu.allocate("the picture", make)?);
         }
         let shading = &mut self.shadings[encoding as usize];
-        if !shading.as_ref().is_some_and(|s| s.samples == samples) {
+        if shading.as_ref().is_none_or(|s| s.samples != samples) {
             *shading = Some(Shading::new(gpu, &self.buffers, &self.shadows, encoding, samples)?);
         }
         self.encoding = encoding;

@@ -338,13 +338,13 @@ impl Viewer {
         if errors.is_empty() || self.lost().is_some() {
             return;
         }
-        if let Some((before, _)) = self.good.take_if(|(_, frames)| *frames < 60) {
-            if let (Some(choices), Some(stage)) = (&mut self.choices, &mut self.stage) {
-                choices.settings = before;
-                self.version += 1;
-                // They were in force before.
-                let _ = stage.set_settings(choices.sides());
-            }
+        let before = self.good.take_if(|(_, frames)| *frames < 60);
+        if let (Some((before, _)), Some(choices), Some(stage)) = (before, &mut self.choices, &mut self.stage)
+        {
+            choices.settings = before;
+            self.version += 1;
+            // They were in force before.
+            let _ = stage.set_settings(choices.sides());
         }
         errors.into_iter().for_each(|error| self.say(format!("the graphics device refused: {error}")));
     }

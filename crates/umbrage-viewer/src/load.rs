@@ -53,7 +53,7 @@ fn of_bytes(name: &str, bytes: &[u8]) -> Result<Imported, String> {
     imported.map_err(|why| {
         let alone = why.to_string();
         // In a page a file comes alone.
-        if alone.contains("refers") { format!("{alone}; put everything into one .glb") } else { alone }
+        if alone.contains("only bytes") { format!("{alone}; put everything into one .glb") } else { alone }
     })
 }
 
@@ -83,6 +83,10 @@ mod tests {
             let text = refused.err().unwrap_or_else(|| panic!("{name} is no world"));
             assert!(!text.contains('\n') && !text.is_empty(), "{text}");
         }
+        let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"beside.bin"}]}"#;
+        let alone = Source::Bytes { name: "a.gltf".to_owned(), bytes: gltf.into() }.load();
+        let text = alone.expect_err("its buffer is not there");
+        assert!(text.contains("beside.bin") && text.contains("one .glb"), "{text}");
         assert!(Source::Named("nowhere".to_owned()).load().is_err());
     }
 }

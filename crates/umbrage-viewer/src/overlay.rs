@@ -2,7 +2,7 @@
 //! tile by tile from coarse to fine.
 //!
 //! It starts when the picture holds still, and starts again when it changes. While the picture is drawn, nothing is
-//! traced; while it holds still, tracing takes about half of the time ([`budget`]).
+//! traced; while it holds still, tracing takes about half of the time.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -127,10 +127,8 @@ impl Overlay {
         world: u64,
         seconds: f32,
     ) -> Option<Arc<World>> {
-        if let Some((of, at, tree)) = &self.tree {
-            if (*of, *at) == (world, seconds) {
-                return Some(Arc::clone(tree));
-            }
+        if let Some((_, _, tree)) = self.tree.as_ref().filter(|(of, at, _)| (*of, *at) == (world, seconds)) {
+            return Some(Arc::clone(tree));
         }
         if self.growing.as_ref().is_none_or(|(of, at, _)| (*of, *at) != (world, seconds)) {
             let scene = Arc::clone(scene);

@@ -30,10 +30,9 @@ pub fn show(viewer: &mut Viewer, ui: &mut egui::Ui) {
             ui.ctx().request_repaint();
         }
     }
-    if viewer.lost().is_none() {
-        if let Err(why) = draw(viewer, ui, rect) {
-            viewer.say(format!("this cannot be drawn: {why}"));
-        }
+    let drawn = if viewer.lost().is_none() { draw(viewer, ui, rect) } else { Ok(()) };
+    if let Err(why) = drawn {
+        viewer.say(format!("this cannot be drawn: {why}"));
     }
     paint(viewer, ui, rect);
     divider(viewer, ui, rect);
@@ -112,10 +111,9 @@ fn paint(viewer: &Viewer, ui: &egui::Ui, rect: Rect) {
         let window = Rect::from_x_y_ranges(part(share.start)..=part(share.end), rect.y_range());
         let painter = painter.with_clip_rect(window.intersect(painter.clip_rect()));
         painter.extend(stage.picture(side, rect));
-        if choices.overlay && choices.frozen.is_none() {
-            if let Some(id) = viewer.overlay.picture(side) {
-                painter.image(id, rect, Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0)), Color32::WHITE);
-            }
+        let is_judged = choices.overlay && choices.frozen.is_none();
+        if let Some(id) = viewer.overlay.picture(side).filter(|_| is_judged) {
+            painter.image(id, rect, Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0)), Color32::WHITE);
         }
     }
     if choices.lines.any() {

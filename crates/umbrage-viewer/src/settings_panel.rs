@@ -102,10 +102,8 @@ fn row(ui: &mut egui::Ui, table: &Table, key: &'static Key) -> Option<Option<Val
                 ui.weak(format!("{}: {}", key.label, absent.means));
             }
         }
-        if let Some(now) = now {
-            if let Some(value) = widget(ui, key, now) {
-                wanted = Some(Some(value));
-            }
+        if let Some(value) = now.and_then(|now| widget(ui, key, now)) {
+            wanted = Some(Some(value));
         }
     })
     .response

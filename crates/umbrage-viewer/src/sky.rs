@@ -20,7 +20,7 @@ pub fn sunlight(hour: f32) -> Vec3 {
     let up = LATITUDE.sin() * DECLINATION.sin() + LATITUDE.cos() * DECLINATION.cos() * hour_angle.cos();
     let west = DECLINATION.cos() * hour_angle.sin();
     let south = LATITUDE.sin() * DECLINATION.cos() * hour_angle.cos() - LATITUDE.cos() * DECLINATION.sin();
-    -Vec3::new(-west, up, south).normalize()
+    -Vec3::new(-west, up, south).normalize_or(Vec3::Y)
 }
 
 #[cfg(test)]
