@@ -58,15 +58,8 @@ pub struct ViewArgs {
     /// A built-in name (see `umbrage worlds`), or a .glb, .gltf or .obj
     #[arg(default_value = umbrage_scene::worlds::DEFAULT)]
     pub world: String,
-    /// One of the world's cameras, by number from 0 or by name
-    #[arg(long, value_name = "N")]
-    pub camera: Option<String>,
-    /// Where the camera stands, metres
-    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "target", allow_hyphen_values = true)]
-    pub eye: Option<Vec3>,
-    /// What the camera looks at, metres
-    #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "eye", allow_hyphen_values = true)]
-    pub target: Option<Vec3>,
+    #[command(flatten)]
+    pub place: PlaceArgs,
     /// When, for things that move, seconds
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
     pub time: f32,
@@ -258,11 +251,9 @@ pub struct PresetsArgs {
     pub name: Option<String>,
 }
 
-/// Which world, from where, lit how.
-#[derive(Debug, Args)]
-pub struct WorldArgs {
-    /// A built-in name (see `umbrage worlds`), or a .glb, .gltf or .obj
-    pub world: String,
+/// From where.
+#[derive(Clone, Debug, Args)]
+pub struct PlaceArgs {
     /// One of the world's cameras, by number from 0 or by name
     #[arg(long, value_name = "N")]
     pub camera: Option<String>,
@@ -272,6 +263,15 @@ pub struct WorldArgs {
     /// What the camera looks at, metres
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_vec3, requires = "eye", allow_hyphen_values = true)]
     pub target: Option<Vec3>,
+}
+
+/// Which world, from where, lit how.
+#[derive(Debug, Args)]
+pub struct WorldArgs {
+    /// A built-in name (see `umbrage worlds`), or a .glb, .gltf or .obj
+    pub world: String,
+    #[command(flatten)]
+    pub place: PlaceArgs,
     /// Whole vertical field of view, degrees
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub fov: Option<f32>,

@@ -72,9 +72,9 @@ fn choose_light(wanted: &str, lights: &[Light]) -> Outcome<Light> {
 }
 
 fn camera(args: &WorldArgs, scene: &Scene) -> Outcome<Camera> {
-    let chosen = choose(args.camera.as_deref(), &scene.cameras)?;
+    let chosen = choose(args.place.camera.as_deref(), &scene.cameras)?;
     let mut camera = chosen.clone();
-    if let (Some(eye), Some(target)) = (args.eye, args.target) {
+    if let (Some(eye), Some(target)) = (args.place.eye, args.place.target) {
         if eye == target {
             return Err(Failure::words(format!("--eye and --target are the same point, {eye}")));
         }

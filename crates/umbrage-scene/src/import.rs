@@ -50,6 +50,10 @@ pub fn load(path: &Path) -> Result<Imported, SceneError> {
     if !kind.is_file() {
         return Err(SceneError::read("it is not a regular file", path));
     }
+    if kind.len() > MOST_FILE_BYTES {
+        let why = format!("it has {} bytes, and at most {MOST_FILE_BYTES} are read", kind.len());
+        return Err(SceneError::read(why, path));
+    }
     let bytes = fs::read(path).map_err(|why| SceneError::read(why, path))?;
     let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     import(read, &bytes, &name, Files::beside(path)).map_err(|fault| fault.in_file(path.display()))
@@ -74,6 +78,9 @@ pub fn load_glb_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> 
 pub fn load_obj_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> {
     import(obj::read, bytes, name, Files::none()).map_err(|fault| fault.in_file(name))
 }
+
+/// No file of the scenes that the budget lets in needs more: it is read as a whole.
+const MOST_FILE_BYTES: u64 = 4 << 30;
 
 /// A format's reader: the bytes of the file, the scene's name, the files around it.
 type Read = fn(&[u8], &str, Files<'_>, &mut Warnings) -> Result<Scene, Fault>;

@@ -304,3 +304,15 @@ fn paths_that_are_no_scene_are_answered_with_one_line() {
         assert!(error.contains(says) && error.ends_with(&path.display().to_string()), "{error}");
     }
 }
+
+#[test]
+fn an_enormous_file_is_refused_before_it_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("enormous.glb");
+    // A file with a hole: it takes no room.
+    fs::File::create(&path).and_then(|file| file.set_len(5 << 30)).expect("a sparse file");
+    let start = Instant::now();
+    let text = load(&path).expect_err("too large").to_string();
+    assert!(text.contains("5368709120 bytes") && text.contains("enormous.glb"), "{text}");
+    assert!(start.elapsed() < Duration::from_secs(1));
+}

@@ -10,14 +10,14 @@ use umbrage_scene::{Camera, Imported, Scene};
 
 use crate::choices::{Choices, Shown};
 use crate::input::{self, Wish};
-use crate::load::{self, Source};
+use crate::load::Source;
 use crate::overlay::Overlay;
+use crate::picture;
 use crate::settings_panel::Refused;
 use crate::stage::Stage;
 use crate::task::Task;
 use crate::timings::Timings;
 use crate::trouble::Trouble;
-use crate::{edit, picture, take};
 
 /// What to begin with.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ pub struct Viewer {
     pub(crate) version: u64,
     pub(crate) loading: Option<Loading>,
     pub(crate) opening: Option<Task<Option<Source>>>,
-    saving: Option<ComingPicture>,
+    pub(crate) saving: Option<ComingPicture>,
     pub(crate) overlay: Overlay,
     /// Whether there is more to trace.
     pub(crate) is_tracing: bool,
@@ -73,7 +73,7 @@ pub struct Viewer {
     /// What people should read, until they close it.
     pub(crate) messages: Vec<String>,
     /// Settings that the device has drawn with, and when others were asked for: frames since.
-    good: Option<([Settings; 2], u32)>,
+    pub(crate) good: Option<([Settings; 2], u32)>,
     /// Of a world, as people type it.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) path_typed: String,
@@ -196,7 +196,7 @@ impl Viewer {
     }
 
     /// Shows a world, if the device takes it.
-    fn enter(&mut self, source: Source, scene: Arc<Scene>) {
+    pub(crate) fn enter(&mut self, source: Source, scene: Arc<Scene>) {
         let choices = match (self.choices.take().or_else(|| self.start.choices.take()), self.stage.is_some())
         {
             (Some(mut choices), true) => {
@@ -263,115 +263,6 @@ impl Viewer {
         if let Err(why) = stage.set_settings(choices.sides()) {
             choices.compare = false;
             self.say(format!("there is no room for a second picture: {why}"));
-        }
-    }
-
-    /// Reads a file that was dropped: settings, or a world.
-    pub fn open(&mut self, context: &egui::Context, name: &str, bytes: Vec<u8>) {
-        if load::extension(std::path::Path::new(name)) == "toml" {
-            let text = String::from_utf8_lossy(&bytes).into_owned();
-            match edit::from_file(&text) {
-                Ok(settings) => self.set_settings(settings),
-                Err(why) => self.say(format!("{why}, in {name}; the settings stay as they were")),
-            }
-        } else {
-            self.load(context, Source::Bytes { name: name.to_owned(), bytes });
-        }
-    }
-
-    /// Starts to save the picture of the left side.
-    pub(crate) fn save_picture(&mut self) {
-        match self.stage.as_mut().map(|stage| stage.picture_to_save(0)) {
-            Some(Ok(coming)) => self.saving = coming,
-            Some(Err(why)) => self.say(why.to_string()),
-            None => {}
-        }
-    }
-
-    /// What came since the last frame: worlds, files, pictures to save, errors.
-    fn poll(&mut self, context: &egui::Context) {
-        if let Some(Some(done)) = self.loading.as_ref().map(Task::poll) {
-            self.loading = None;
-            match done.and_then(|(source, loaded)| Ok((source, loaded?))) {
-                Ok((source, Imported { scene, warnings })) => {
-                    self.enter(source, Arc::new(scene));
-                    warnings.into_iter().for_each(|warning| self.say(warning));
-                }
-                Err(why) => self.say(why),
-            }
-        }
-        if let Some(Some(picked)) = self.opening.as_ref().map(Task::poll) {
-            self.opening = None;
-            match picked {
-                Ok(Some(Source::Bytes { name, bytes })) => self.open(context, &name, bytes),
-                Ok(Some(source)) => self.load(context, source),
-                Ok(None) => {}
-                Err(why) => self.say(why),
-            }
-        }
-        self.poll_saving();
-        self.poll_errors();
-        self.take_dropped(context);
-    }
-
-    fn poll_saving(&mut self) {
-        let Some(coming) = &self.saving else { return };
-        if let Some(stage) = &self.stage {
-            stage.poll();
-        }
-        if let Some(picture) = coming.take() {
-            self.saving = None;
-            let saved = picture.map_err(|why| why.to_string()).and_then(|picture| take::png(&picture));
-            match saved.and_then(|bytes| take::save("umbrage", "png", &bytes)) {
-                Ok(path) => self.say(format!("saved {path}")),
-                Err(why) => self.say(format!("the picture was not saved: {why}")),
-            }
-        }
-    }
-
-    /// What the device refused after it had been asked: the settings before come back.
-    fn poll_errors(&mut self) {
-        let errors = self.trouble.errors();
-        if let Some((_, frames)) = &mut self.good {
-            *frames += 1;
-        }
-        if errors.is_empty() || self.lost().is_some() {
-            return;
-        }
-        let before = self.good.take_if(|(_, frames)| *frames < 60);
-        if let (Some((before, _)), Some(choices), Some(stage)) = (before, &mut self.choices, &mut self.stage)
-        {
-            choices.settings = before;
-            self.version += 1;
-            // They were in force before.
-            let _ = stage.set_settings(choices.sides());
-        }
-        errors.into_iter().for_each(|error| self.say(format!("the graphics device refused: {error}")));
-    }
-
-    fn take_dropped(&mut self, context: &egui::Context) {
-        let dropped = context.input(|input| input.raw.dropped_files.clone());
-        for file in dropped {
-            #[cfg(not(target_arch = "wasm32"))]
-            self.take_file(context, &*file);
-            #[cfg(target_arch = "wasm32")]
-            {
-                self.opening = Some(crate::web::read(context, file));
-            }
-        }
-    }
-
-    /// Worlds are loaded from where they lie, so that what they refer to is found.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn take_file(&mut self, context: &egui::Context, file: &dyn egui::DroppedFile) {
-        let path = file.path();
-        let name = path.to_string_lossy().into_owned();
-        if path.is_file() && load::extension(path) != "toml" {
-            return self.load(context, load::of_path(path.to_owned()));
-        }
-        match file.bytes() {
-            Ok(bytes) => self.open(context, &name, bytes),
-            Err(why) => self.say(format!("{why}: {name}")),
         }
     }
 
@@ -508,29 +399,5 @@ impl Viewer {
     /// What the picture shows.
     pub(crate) fn show(&self) -> Show {
         self.choices.as_ref().map_or(Shown::default(), |choices| choices.shown).show()
-    }
-}
-
-/// For measuring.
-#[cfg(not(target_arch = "wasm32"))]
-impl Viewer {
-    /// To a place of the world's path, from 0 to 1.
-    pub(crate) fn fly_to(&mut self, along: f32) {
-        let (Some(choices), Some(stage)) = (&mut self.choices, &self.stage) else { return };
-        if let Some(world_from_camera) = stage.scene().path.world_from_camera(along) {
-            choices.flight.follow(world_from_camera);
-        }
-    }
-
-    /// How long the picture takes alone from where the camera is: milliseconds, and its size, pixels.
-    pub(crate) fn time_alone(&mut self) -> Option<(f64, [u32; 2])> {
-        let (choices, stage) = (self.choices.as_ref()?, self.stage.as_mut()?);
-        stage.time_alone(&choices.camera()).ok()?
-    }
-
-    /// The world's name, and how many triangles it has.
-    pub(crate) fn world(&self) -> (String, usize) {
-        let scene = self.stage.as_ref().map(|stage| stage.scene());
-        scene.map_or_else(Default::default, |scene| (scene.name.clone(), scene.triangles()))
     }
 }

@@ -95,3 +95,25 @@ impl eframe::App for Flown {
         viewer.ui(ui, frame);
     }
 }
+
+impl Viewer {
+    /// To a place of the world's path, from 0 to 1.
+    fn fly_to(&mut self, along: f32) {
+        let (Some(choices), Some(stage)) = (&mut self.choices, &self.stage) else { return };
+        if let Some(world_from_camera) = stage.scene().path.world_from_camera(along) {
+            choices.flight.follow(world_from_camera);
+        }
+    }
+
+    /// How long the picture takes alone from where the camera is: milliseconds, and its size, pixels.
+    fn time_alone(&mut self) -> Option<(f64, [u32; 2])> {
+        let (choices, stage) = (self.choices.as_ref()?, self.stage.as_mut()?);
+        stage.time_alone(&choices.camera()).ok()?
+    }
+
+    /// The world's name, and how many triangles it has.
+    fn world(&self) -> (String, usize) {
+        let scene = self.stage.as_ref().map(|stage| stage.scene());
+        scene.map_or_else(Default::default, |scene| (scene.name.clone(), scene.triangles()))
+    }
+}

@@ -20,6 +20,7 @@ pub mod sky;
 pub mod take;
 
 mod app;
+mod arrivals;
 mod blit;
 mod colours;
 mod input;

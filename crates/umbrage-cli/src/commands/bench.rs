@@ -116,7 +116,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
 fn along_path(shot: &Shot, scene: &Scene, args: &BenchArgs, share: f32) -> Outcome<Frame> {
     let shot = Shot { seconds: shot.seconds + share * PATH_SECONDS, ..shot.clone() };
     let frame = Frame { samples: args.samples, ..shot.frame(Show::World)? };
-    let is_placed = args.world.camera.is_some() || args.world.eye.is_some();
+    let is_placed = args.world.place.camera.is_some() || args.world.place.eye.is_some();
     let Some(world_from_camera) = scene.path.world_from_camera(share).filter(|_| !is_placed) else {
         return Ok(frame);
     };

@@ -46,12 +46,10 @@ fn of_scene(name: &str, scene: Scene, settings: Settings) -> Start {
 
 /// What is seen, as the other commands ask for it.
 fn seen(args: &ViewArgs) -> WorldArgs {
-    let ViewArgs { world, camera, eye, target, time, size: _, shadows: _, adapter: _, bench: _ } = args;
+    let ViewArgs { world, place, time, size: _, shadows: _, adapter: _, bench: _ } = args;
     WorldArgs {
         world: world.clone(),
-        camera: camera.clone(),
-        eye: *eye,
-        target: *target,
+        place: place.clone(),
         fov: None,
         near: None,
         far: None,
