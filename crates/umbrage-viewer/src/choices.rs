@@ -135,7 +135,7 @@ fn flight(scene: &Scene, camera: Option<&Camera>) -> Flight {
     let middle = (bounds.min + bounds.max) * 0.5;
     let fallback = Camera::looking("camera", bounds.max, middle, 1.0, 0.1, 1000.0);
     let camera = camera.or(scene.cameras.first()).unwrap_or(&fallback);
-    let size = (bounds.max - bounds.min).max_element();
+    let size = (bounds.max - bounds.min).max_element().max(1e-3);
     let ahead = (middle - camera.eye()).dot(camera.forward());
     Flight::at(camera, ahead.clamp(0.02 * size, 0.5 * size))
 }

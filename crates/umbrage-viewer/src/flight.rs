@@ -43,7 +43,8 @@ impl Flight {
     /// From a camera of a scene, `reach` metres from what it looks at.
     pub fn at(camera: &Camera, reach: f32) -> Self {
         let forward = camera.forward();
-        let distance = reach.clamp(2.0 * camera.near, camera.far);
+        let nearest = 2.0 * camera.near;
+        let distance = reach.clamp(nearest, camera.far.max(nearest));
         Self {
             motion: Motion::Fly,
             eye: camera.eye(),
@@ -149,6 +150,14 @@ mod tests {
         let back = Flight::at(&camera, 8.0).camera();
         assert!(back.world_from_camera.abs_diff_eq(camera.world_from_camera, 1e-5), "{back:?}");
         assert_eq!((back.lens, back.near, back.far), (camera.lens, camera.near, camera.far));
+    }
+
+    #[test]
+    fn a_camera_that_sees_next_to_no_depth_can_be_flown() {
+        let camera = Camera::looking("c", Vec3::ZERO, Vec3::X, 1.0, 1.0, 1.5);
+        let mut flight = Flight { motion: Motion::Orbit, ..Flight::at(&camera, 100.0) };
+        flight.zoom(3.0);
+        assert!(flight.camera().world_from_camera.is_finite() && flight.distance == 2.0, "{flight:?}");
     }
 
     #[test]

@@ -114,14 +114,17 @@ fn choose(
     };
     usable.retain(|adapter| is_wanted(adapter));
     usable.sort_by_key(|adapter| Gpu::preference(adapter));
-    let refusal = || {
-        match wanted {
-        Some(wanted) => format!("no adapter's name or backend contains `{wanted}`; there are: {}", names.join("; ")),
-        None => "no graphics adapter can draw into a window here; run scripts/setup, which installs a Vulkan loader and Mesa's software driver".to_owned(),
-    }
+    let refusal = || match wanted {
+        Some(wanted) => {
+            format!("no adapter's name or backend contains `{wanted}`; there are: {}", names.join("; "))
+        }
+        None => NO_ADAPTER.to_owned(),
     };
     usable.first().map(|adapter| (*adapter).clone()).ok_or_else(refusal)
 }
+
+/// What to do where nothing can draw.
+const NO_ADAPTER: &str = "no graphics adapter can draw into a window here; run scripts/setup, which installs a Vulkan loader and Mesa's software driver";
 
 /// What to do where there is none.
 pub const NO_DISPLAY: &str =
@@ -135,8 +138,17 @@ pub fn has_display() -> bool {
 
 fn remedy(why: &eframe::Error) -> String {
     let text = why.to_string().replace('\n', " ");
-    if has_display() {
-        return format!("the window cannot be opened: {text}");
+    if !has_display() {
+        return NO_DISPLAY.to_owned();
     }
-    NO_DISPLAY.to_owned()
+    let is_of_display = matches!(why, eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_));
+    let text = if is_of_display {
+        // Before its last words winit says where in itself it failed.
+        text.rsplit(": ").next().unwrap_or_default()
+    } else if text.contains("Failed to create surface") {
+        NO_ADAPTER
+    } else {
+        &text
+    };
+    format!("the window cannot be opened: {text}")
 }

@@ -79,6 +79,10 @@ fn qualified(field: &str, value: &str) -> String {
         rest = after;
     }
     text += rest;
+    // A filter without numbers is an empty struct all the same.
+    if field == "filter" && value.chars().all(char::is_alphanumeric) {
+        text += " {}";
+    }
     if value.starts_with('[') && field == "manual" { format!("vec!{text}") } else { text }
 }
 
