@@ -72,7 +72,7 @@ pub struct Viewer {
     pub(crate) refused: Option<Refused>,
     /// What people should read, until they close it.
     pub(crate) messages: Vec<String>,
-    /// Settings that the device has drawn with, and when others were asked for: frames since.
+    /// Settings that the device has drawn with, and how many frames ago others were first asked for.
     pub(crate) good: Option<([Settings; 2], u32)>,
     /// Of a world, as people type it.
     #[cfg(not(target_arch = "wasm32"))]
@@ -123,7 +123,7 @@ impl Viewer {
             path_typed: String::new(),
             shown_views: Vec::new(),
         };
-        match viewer.start.scene.clone() {
+        match viewer.start.scene.take() {
             Some(scene) => viewer.enter(viewer.source.clone(), scene),
             None => viewer.load(&creation.egui_ctx, viewer.source.clone()),
         }
@@ -195,31 +195,35 @@ impl Viewer {
         self.loading = Some(Task::run(what, context, work));
     }
 
-    /// Shows a world, if the device takes it.
+    /// Shows a world, if the device takes it; if not, all stays as it was.
     pub(crate) fn enter(&mut self, source: Source, scene: Arc<Scene>) {
-        let choices = match (self.choices.take().or_else(|| self.start.choices.take()), self.stage.is_some())
-        {
-            (Some(mut choices), true) => {
+        let choices = match (&self.choices, self.start.choices.take()) {
+            (Some(choices), _) => {
+                let mut choices = choices.clone();
                 choices.moved_to(&scene);
                 choices
             }
-            (Some(choices), false) => choices,
-            (None, _) => self.first_choices(&scene),
+            (None, Some(choices)) => choices,
+            (None, None) => self.first_choices(&scene),
         };
         let stage = Stage::new(&self.gpu, &self.window, scene, &choices.settings[0]);
-        let stage = stage.and_then(|mut stage| stage.set_settings(choices.sides()).map(|()| stage));
-        match stage {
+        match stage.and_then(|mut stage| stage.set_settings(choices.sides()).map(|()| stage)) {
             Ok(stage) => {
                 self.stage = Some(stage);
-                self.source = source;
+                self.choices = Some(choices);
+                // Whoever goes on takes the scene: its file is not needed any more.
+                self.source = match source {
+                    Source::Bytes { name, .. } => Source::Bytes { name, bytes: Vec::new() },
+                    named @ Source::Named(_) => named,
+                };
                 self.world += 1;
+                self.good = None;
                 self.overlay = Overlay::default();
                 self.timings = Timings::default();
                 self.shown_views.clear();
             }
             Err(why) => self.say(format!("{} cannot be shown: {why}", source.name())),
         }
-        self.choices = Some(choices);
     }
 
     fn first_choices(&self, scene: &Scene) -> Choices {
@@ -246,7 +250,11 @@ impl Viewer {
         choices.settings[choices.edited] = settings;
         self.version += 1;
         match stage.set_settings(choices.sides()) {
-            Ok(()) => self.good = Some((before, 0)),
+            // A browser refuses frames later: what was in force before the first of several changes comes back.
+            Ok(()) if self.good.as_ref().is_none_or(|(_, frames)| *frames >= 60) => {
+                self.good = Some((before, 0))
+            }
+            Ok(()) => {}
             Err(why) => {
                 choices.settings = before;
                 self.say(format!("these settings cannot be used here: {why}"));

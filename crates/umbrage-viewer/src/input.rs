@@ -72,7 +72,14 @@ pub fn wishes(context: &egui::Context) -> Vec<Wish> {
     ];
     let digits = DIGITS.into_iter().enumerate().map(|(i, key)| (key, Wish::Camera(i)));
     context.input(|input| {
-        let pressed = |(key, wish)| (input.key_pressed(key) && !input.modifiers.command).then_some(wish);
+        // Keys that are held say so again and again: once is meant.
+        let once = |key| {
+            let is_once = |event: &egui::Event| {
+                matches!(event, egui::Event::Key { key: of, pressed: true, repeat: false, .. } if *of == key)
+            };
+            input.events.iter().any(is_once)
+        };
+        let pressed = |(key, wish)| (once(key) && !input.modifiers.command).then_some(wish);
         of_key.into_iter().chain(digits).filter_map(pressed).collect()
     })
 }
@@ -82,7 +89,8 @@ pub fn pointed(ui: &egui::Ui, picture: &Response, flight: &mut Flight) -> bool {
     let before = flight.clone();
     let height = picture.rect.height().max(1.0);
     let moved = Vec2::new(picture.drag_delta().x, picture.drag_delta().y) / height;
-    if let Some(touch) = ui.ctx().multi_touch() {
+    let touch = ui.ctx().multi_touch();
+    if let Some(touch) = touch.filter(|_| picture.contains_pointer()) {
         flight.pan(Vec2::new(touch.translation_delta.x, touch.translation_delta.y) / height);
         flight.zoom((touch.zoom_delta - 1.0) * 8.0);
     } else if picture.dragged_by(PointerButton::Primary) {
@@ -90,7 +98,7 @@ pub fn pointed(ui: &egui::Ui, picture: &Response, flight: &mut Flight) -> bool {
     } else if picture.dragged_by(PointerButton::Secondary) || picture.dragged_by(PointerButton::Middle) {
         flight.pan(moved);
     }
-    if picture.hovered() {
+    if picture.hovered() && touch.is_none() {
         let (scrolled, pinched) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
         flight.zoom(scrolled / 50.0 + (pinched - 1.0) * 8.0);
     }

@@ -8,7 +8,7 @@ use crate::app::Viewer;
 use crate::choices::Shown;
 use crate::{edit, split_plot};
 
-/// Side of a map in its window, pixels: as many as there are texels, up to this.
+/// Side of a map in its window, pixels.
 const MAP_SIDE: u32 = 512;
 
 const MARKS: [(Shown, &str, &str); 4] = [

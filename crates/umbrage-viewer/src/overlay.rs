@@ -78,6 +78,12 @@ impl Overlay {
         self.judging = None;
     }
 
+    /// As [`Self::stop`], and waits for no tree either.
+    pub fn rest(&mut self) {
+        self.judging = None;
+        self.growing = None;
+    }
+
     /// Share of the picture that is traced, 0 to 1; `None` before rays are shot.
     pub fn traced(&self) -> Option<f64> {
         Some(self.judging.as_ref()?.progress.as_ref()?.traced())
@@ -111,7 +117,7 @@ impl Overlay {
         distance: f64,
     ) -> Result<bool, RenderError> {
         let seconds = shot.frames.first().map_or(0.0, |frame| frame.seconds);
-        let Some(tree) = self.tree_of(context, stage.scene(), world, seconds) else { return Ok(true) };
+        let Some(tree) = self.tree_of(context, stage.scene(), world, seconds)? else { return Ok(true) };
         if self.judging.as_ref().is_none_or(|judging| judging.shot != *shot) {
             self.judging = Some(Judging::new(shot.clone(), distance));
         }
@@ -126,9 +132,10 @@ impl Overlay {
         scene: &Arc<Scene>,
         world: u64,
         seconds: f32,
-    ) -> Option<Arc<World>> {
+    ) -> Result<Option<Arc<World>>, RenderError> {
         if let Some((_, _, tree)) = self.tree.as_ref().filter(|(of, at, _)| (*of, *at) == (world, seconds)) {
-            return Some(Arc::clone(tree));
+            self.growing = None;
+            return Ok(Some(Arc::clone(tree)));
         }
         if self.growing.as_ref().is_none_or(|(of, at, _)| (*of, *at) != (world, seconds)) {
             let scene = Arc::clone(scene);
@@ -136,13 +143,13 @@ impl Overlay {
             let task = Task::run(what, context, move || World::new(&scene, seconds));
             self.growing = Some((world, seconds, task));
             self.judging = None;
-            return None;
+            return Ok(None);
         }
-        let (_, _, task) = self.growing.as_ref()?;
-        let tree = Arc::new(task.poll()?.ok()?);
+        let Some(grown) = self.growing.as_ref().and_then(|(_, _, task)| task.poll()) else { return Ok(None) };
         self.growing = None;
+        let tree = Arc::new(grown.map_err(RenderError::Device)?);
         self.tree = Some((world, seconds, Arc::clone(&tree)));
-        Some(tree)
+        Ok(Some(tree))
     }
 }
 

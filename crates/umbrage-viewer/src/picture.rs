@@ -36,6 +36,7 @@ pub fn show(viewer: &mut Viewer, ui: &mut egui::Ui) {
     }
     paint(viewer, ui, rect);
     divider(viewer, ui, rect);
+    way_back(viewer, ui, rect);
     messages(viewer, ui, rect);
 }
 
@@ -50,11 +51,13 @@ fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderErro
         drawn |= stage.draw(side, &Frame { show: show.clone(), ..frame.clone() })?;
     }
     let now = ui.input(|input| input.time);
-    for times in stage.times(0) {
-        viewer.timings.push(now, times);
+    for side in 0..stage.sides() {
+        let times = stage.times(side);
+        times.into_iter().filter(|_| side == 0).for_each(|times| viewer.timings.push(now, times));
     }
     if !choices.overlay || choices.frozen.is_some() {
         viewer.is_tracing = false;
+        viewer.overlay.rest();
         return Ok(());
     }
     // While the picture changes, nothing is traced: it would slow it, and be thrown away.
@@ -69,7 +72,9 @@ fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderErro
         frames: vec![frame; stage.sides()],
         version: viewer.version,
     };
-    let distance = stage.plan(0).and_then(|plan| plan.splits().last().copied()).unwrap_or(f64::INFINITY);
+    // As far as both sides have shadows: what one leaves out is not the other's fault.
+    let ends = (0..stage.sides()).filter_map(|side| stage.plan(side)?.splits().last().copied());
+    let distance = ends.fold(f64::INFINITY, f64::min);
     viewer.is_tracing = viewer.overlay.advance(ui.ctx(), stage, viewer.world, &shot, distance)?;
     Ok(())
 }
@@ -135,6 +140,15 @@ fn paint_lines(choices: &Choices, stage: &Stage, painter: &egui::Painter, rect: 
             );
         }
     }
+}
+
+/// Brings the panels back, for those who have no keys.
+fn way_back(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) {
+    let Some(choices) = viewer.choices.as_mut().filter(|choices| !choices.panels) else { return };
+    let place = rect.right_top() + egui::vec2(-64.0, 8.0);
+    egui::Area::new(ui.scope_id().with("way back")).fixed_pos(place).show(ui.ctx(), |ui| {
+        choices.panels = ui.button("Show").on_hover_text("Brings the panels back (H).").clicked();
+    });
 }
 
 /// The line between two sides, and the handle that moves it.

@@ -10,6 +10,9 @@ use umbrage_scene::Scene;
 
 use crate::blit::Blit;
 
+/// Frames whose times may be on their way at once; of more, the newest are lost.
+const PENDING: usize = 3;
+
 /// Milliseconds of a frame: planning on the CPU; casters, filter and shading on the device.
 pub type PassTimes = [f64; 4];
 
@@ -217,8 +220,8 @@ impl Stage {
                 times.push([plan, casters, filter, shade]);
             }
         }
-        // Without timestamps none ever come.
-        awaited.drain(..awaited.len().saturating_sub(8));
+        // As many as the device's clock keeps; without timestamps none ever come.
+        awaited.truncate(PENDING);
         times
     }
 }

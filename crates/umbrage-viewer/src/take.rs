@@ -62,9 +62,16 @@ pub struct Cell<'a> {
 }
 
 impl Cell<'_> {
-    /// Whether the world has this camera and these lights already, so that its name says enough.
-    pub fn is_named(&self) -> bool {
-        self.scene.cameras.contains(self.camera) && self.scene.lights == self.lights
+    /// The camera of the world that this one is, but for rounding, where the lights are the world's too: then names say
+    /// enough.
+    pub fn named(&self) -> Option<&str> {
+        let Camera { world_from_camera, lens, near, far, .. } = self.camera;
+        let is_same = |other: &&Camera| {
+            let is_there = other.world_from_camera.abs_diff_eq(*world_from_camera, 1e-4);
+            is_there && (other.lens, other.near, other.far) == (*lens, *near, *far)
+        };
+        let camera = self.scene.cameras.iter().find(is_same).filter(|_| self.scene.lights == self.lights)?;
+        Some(&camera.name)
     }
 
     /// The world with the camera and the lights, for an experiment that its name does not say enough for.
@@ -87,7 +94,7 @@ impl Cell<'_> {
         set = set.replace("[shadows", "[ways.set");
         let (world, camera) = match world_file {
             Some(file) => (file, CAMERA),
-            None => (self.world, self.camera.name.as_str()),
+            None => (self.world, self.named().unwrap_or(CAMERA)),
         };
         let [width, height] = self.size;
         let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
@@ -115,15 +122,17 @@ mod tests {
         let scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
         for preset in umbrage::PRESETS {
             let settings = (preset.settings)();
+            // As the viewer has it: taken apart and put together.
+            let camera = crate::flight::Flight::at(&scene.cameras[1], 10.0).camera();
             let cell = Cell {
                 world: "primitives",
                 scene: &scene,
-                camera: &scene.cameras[1],
+                camera: &camera,
                 lights: &scene.lights,
                 settings: &settings,
                 size: [320, 200],
             };
-            assert!(cell.is_named());
+            assert_eq!(cell.named(), Some(scene.cameras[1].name.as_str()));
             let text = cell.experiment(None).expect("an experiment");
             let folder = tempfile::tempdir().expect("a folder");
             let path = folder.path().join("cell.toml");
@@ -147,7 +156,7 @@ mod tests {
             settings: &Settings::default(),
             size: [64, 64],
         };
-        assert!(!cell.is_named());
+        assert_eq!(cell.named(), None);
         let bytes = cell.world_file().expect("a file");
         let read = umbrage_scene::load_glb_bytes(&bytes, "cell").expect("a world").scene;
         assert_eq!((read.cameras[0].name.as_str(), read.triangles()), ("viewer", scene.triangles()));

@@ -154,6 +154,9 @@ impl Viewer {
         let (Some(choices), Some(stage)) = (&self.choices, &self.stage) else {
             return Err("there is no world".to_owned());
         };
+        if choices.seconds != 0.0 {
+            return Err("experiments are of the start of time: set the time to 0 s first".to_owned());
+        }
         let (camera, lights) = (choices.camera(), choices.lights(stage.scene()));
         let cell = Cell {
             world: self.source.name(),
@@ -164,7 +167,7 @@ impl Viewer {
             size: [640, 360],
         };
         let is_file = matches!(self.source, Source::Named(_));
-        let file = if cell.is_named() && is_file {
+        let file = if cell.named().is_some() && is_file {
             None
         } else {
             Some(take::save("umbrage-cell", "glb", &cell.world_file()?)?)
@@ -184,8 +187,11 @@ fn pick(context: &egui::Context) -> Task<Option<Source>> {
             return Some(crate::load::of_path(file.path().to_owned()));
         }
         let bytes = file.read().await;
-        // What is more is refused by whoever reads it.
-        let bytes = if bytes.len() as u64 > MOST_BYTES { Vec::new() } else { bytes };
+        if bytes.len() as u64 > MOST_BYTES {
+            // An empty file is refused with its name.
+            let name = format!("{} (too large: at most 512 MiB)", file.file_name());
+            return Some(Source::Bytes { name, bytes: Vec::new() });
+        }
         Some(Source::Bytes { name: file.file_name(), bytes })
     })
 }

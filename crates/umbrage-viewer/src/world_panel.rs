@@ -47,6 +47,7 @@ impl Viewer {
         let speed = egui::Slider::new(&mut choices.flight.speed, 0.1..=500.0)
             .logarithmic(true)
             .text("speed")
+            .clamping(egui::SliderClamping::Edits)
             .suffix(" m/s");
         ui.add(speed).on_hover_text("How fast keys move the camera; Shift is four times as fast.");
         let smooth = ui.checkbox(&mut choices.smooth, "smooth edges");
