@@ -252,7 +252,7 @@ impl Viewer {
         match stage.set_settings(choices.sides()) {
             // A browser refuses frames later: what was in force before the first of several changes comes back.
             Ok(()) if self.good.as_ref().is_none_or(|(_, frames)| *frames >= 60) => {
-                self.good = Some((before, 0))
+                self.good = Some((before, 0));
             }
             Ok(()) => {}
             Err(why) => {
