@@ -13,8 +13,9 @@ use web_time::Instant;
 
 use crate::convert::WIDEST_HALF_ANGLE;
 use crate::error::RenderError;
+use crate::frame::{Frame, Lamp, Show};
 use crate::gpu::Gpu;
-use crate::renderer::{Frame, Lamp, Renderer, Show};
+use crate::renderer::Renderer;
 use crate::scene_buffers::filled;
 use crate::timing::FrameTimes;
 

@@ -4,7 +4,7 @@ use umbrage::{Bounds, Camera, Light, Projection};
 use umbrage_scene::{LightKind, Scene};
 
 use crate::error::RenderError;
-use crate::renderer::Lamp;
+use crate::frame::Lamp;
 
 /// The planner's camera for a scene's, in a picture of `aspect` (width over height).
 ///

@@ -101,22 +101,12 @@ impl Gpu {
     /// # Errors
     /// When there is no such adapter, or it gives no device.
     pub fn new(wanted: Option<&str>) -> Result<Self, RenderError> {
-        let matches = |adapter: &wgpu::Adapter| {
-            let text = describe(adapter).to_string().to_lowercase();
-            wanted.is_none_or(|wanted| text.contains(&wanted.to_lowercase()))
-        };
         // GL is asked only where nothing else will do: it is slow to start, and chatty.
         let mut adapters = adapters(wgpu::Backends::PRIMARY);
-        if !adapters.iter().any(matches) {
+        if Self::choose(&adapters, wanted).is_err() {
             adapters = self::adapters(wgpu::Backends::all());
         }
-        if adapters.is_empty() {
-            return Err(RenderError::NoAdapter);
-        }
-        let found = || adapters.iter().map(|adapter| describe(adapter).to_string()).collect::<Vec<_>>();
-        let adapter = adapters.iter().find(|adapter| matches(adapter)).ok_or_else(|| {
-            RenderError::NoSuchAdapter { wanted: wanted.unwrap_or_default().to_owned(), found: found() }
-        })?;
+        let adapter = Self::choose(&adapters, wanted)?;
         let description = describe(adapter);
         let (device, queue) =
             pollster::block_on(adapter.request_device(&Self::wanted_device(adapter))).map_err(|e| {
@@ -141,14 +131,27 @@ impl Gpu {
         Self { device, queue, adapter: describe(adapter) }
     }
 
-    /// An adapter in words.
-    pub fn describe(adapter: &wgpu::Adapter) -> AdapterDescription {
-        describe(adapter)
-    }
-
-    /// Which adapter is better, the least first: hardware before software, and GL last.
-    pub fn preference(adapter: &wgpu::Adapter) -> impl Ord + use<> {
-        preference(adapter)
+    /// The best of some adapters: hardware before software, and GL last; of those whose description contains `wanted`, in
+    /// any case.
+    ///
+    /// # Errors
+    /// When there is none, or none such.
+    pub fn choose<'a>(
+        adapters: &'a [wgpu::Adapter],
+        wanted: Option<&str>,
+    ) -> Result<&'a wgpu::Adapter, RenderError> {
+        let text = |adapter: &wgpu::Adapter| describe(adapter).to_string();
+        let matches = |adapter: &&wgpu::Adapter| {
+            wanted.is_none_or(|wanted| text(adapter).to_lowercase().contains(&wanted.to_lowercase()))
+        };
+        let best = adapters.iter().filter(matches).min_by_key(|adapter| preference(adapter));
+        best.ok_or_else(|| match wanted {
+            Some(wanted) if !adapters.is_empty() => RenderError::NoSuchAdapter {
+                wanted: wanted.to_owned(),
+                found: adapters.iter().map(text).collect(),
+            },
+            _ => RenderError::NoAdapter,
+        })
     }
 
     /// Makes something large, and says so where there is no memory for it.

@@ -6,9 +6,9 @@ use umbrage::{ContactShadows, MAX_LIGHTS, Rays, Settings, Shadows, contact_wgsl}
 
 use crate::draws::Draw;
 use crate::error::RenderError;
+use crate::frame::{Frame, Lamp, Mark, Show};
 use crate::gpu::Gpu;
 use crate::prepass::Prepass;
-use crate::renderer::{Frame, Lamp, Mark, Show};
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers, filled};
 use crate::target::{DEPTH_FORMAT, Encoding};
 use crate::timing::{PassTimer, SHADE};

@@ -77,7 +77,8 @@ pub struct Viewer {
     /// Of a world, as people type it.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) path_typed: String,
-    pub(crate) shown_views: Vec<usize>,
+    /// Which of the maps is looked at.
+    pub(crate) shown_map: usize,
 }
 
 impl std::fmt::Debug for Viewer {
@@ -121,7 +122,7 @@ impl Viewer {
             good: None,
             #[cfg(not(target_arch = "wasm32"))]
             path_typed: String::new(),
-            shown_views: Vec::new(),
+            shown_map: 0,
         };
         match viewer.start.scene.take() {
             Some(scene) => viewer.enter(viewer.source.clone(), scene),
@@ -220,7 +221,7 @@ impl Viewer {
                 self.good = None;
                 self.overlay = Overlay::default();
                 self.timings = Timings::default();
-                self.shown_views.clear();
+                self.shown_map = 0;
             }
             Err(why) => self.say(format!("{} cannot be shown: {why}", source.name())),
         }
@@ -365,45 +366,6 @@ impl eframe::App for Viewer {
 }
 
 impl Viewer {
-    fn seen_panels(&mut self, ui: &mut egui::Ui) {
-        self.world_panel(ui);
-        ui.separator();
-        self.method_panel(ui);
-        ui.separator();
-        self.truth_panel(ui);
-    }
-
-    fn settings_panels(&mut self, ui: &mut egui::Ui) {
-        let Some(choices) = &mut self.choices else { return };
-        if choices.compare {
-            ui.horizontal(|ui| {
-                ui.selectable_value(&mut choices.edited, 0, "left").on_hover_text("Change the left side.");
-                ui.selectable_value(&mut choices.edited, 1, "right").on_hover_text("Change the right side.");
-            });
-        }
-        let settings = choices.settings[choices.edited].clone();
-        if let Some(changed) = crate::settings_panel::show(ui, &settings, &mut self.refused) {
-            self.set_settings(changed);
-        }
-    }
-
-    /// What is drawn without panels, over the picture.
-    fn windows(&mut self, context: &egui::Context) {
-        let Some(choices) = &mut self.choices else { return };
-        egui::Window::new("Keys").open(&mut choices.help).resizable(false).show(context, |ui| {
-            egui::Grid::new("keys").striped(true).show(ui, |ui| {
-                for (key, what) in input::KEYS {
-                    ui.strong(*key);
-                    ui.label(*what);
-                    ui.end_row();
-                }
-            });
-        });
-        if choices.maps {
-            self.map_window(context);
-        }
-    }
-
     /// What the picture shows.
     pub(crate) fn show(&self) -> Show {
         self.choices.as_ref().map_or(Shown::default(), |choices| choices.shown).show()

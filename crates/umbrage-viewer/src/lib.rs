@@ -24,6 +24,7 @@ mod arrivals;
 mod blit;
 mod colours;
 mod input;
+mod layout;
 mod method_panel;
 mod picture;
 mod split_plot;

@@ -99,13 +99,12 @@ impl Viewer {
             .default_pos([288.0, 48.0])
             .show(context, |ui| {
                 look(ui, &mut choices.look);
-                let chosen =
-                    self.shown_views.first().copied().unwrap_or(0).min(views.len().saturating_sub(1));
+                let chosen = self.shown_map.min(views.len().saturating_sub(1));
                 let name = views.get(chosen).map_or("", |(_, name)| name.as_str());
                 let menu = egui::ComboBox::from_id_salt("map").selected_text(name).show_ui(ui, |ui| {
                     for (i, name) in &views {
                         if ui.selectable_label(*i == chosen, name).clicked() {
-                            self.shown_views = vec![*i];
+                            self.shown_map = *i;
                         }
                     }
                 });

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use eframe::{egui, egui_wgpu, wgpu};
-use umbrage_render::Gpu;
+use umbrage_render::{Gpu, RenderError};
 
 use crate::app::{Start, Viewer};
 
@@ -104,29 +104,15 @@ fn choose(
     surface: Option<&wgpu::Surface<'_>>,
     wanted: Option<&str>,
 ) -> Result<wgpu::Adapter, String> {
-    let usable =
-        |adapter: &&wgpu::Adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface));
-    let (names, mut usable): (Vec<String>, Vec<&wgpu::Adapter>) =
-        adapters.iter().filter(usable).map(|adapter| (Gpu::describe(adapter).to_string(), adapter)).unzip();
-    let is_wanted = |adapter: &wgpu::Adapter| {
-        let text = Gpu::describe(adapter).to_string().to_lowercase();
-        wanted.is_none_or(|wanted| text.contains(&wanted.to_lowercase()))
-    };
-    usable.retain(|adapter| is_wanted(adapter));
-    usable.sort_by_key(|adapter| Gpu::preference(adapter));
-    let refusal = || match wanted {
-        Some(wanted) => {
-            format!("no adapter's name or backend contains `{wanted}`; there are: {}", names.join("; "))
-        }
-        None => NO_ADAPTER.to_owned(),
-    };
-    usable.first().map(|adapter| (*adapter).clone()).ok_or_else(refusal)
+    let usable = adapters
+        .iter()
+        .filter(|adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface)))
+        .cloned()
+        .collect::<Vec<_>>();
+    Gpu::choose(&usable, wanted).cloned().map_err(|why| why.to_string())
 }
 
-/// What to do where nothing can draw.
-const NO_ADAPTER: &str = "no graphics adapter can draw into a window here; run scripts/setup, which installs a Vulkan loader and Mesa's software driver";
-
-/// What to do where there is none.
+/// What to do without a display.
 pub const NO_DISPLAY: &str =
     "there is no display to open a window on; use `umbrage render` or `umbrage demo`, which need none";
 
@@ -144,11 +130,11 @@ fn remedy(why: &eframe::Error) -> String {
     let is_of_display = matches!(why, eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_));
     let text = if is_of_display {
         // Before its last words winit says where in itself it failed.
-        text.rsplit(": ").next().unwrap_or_default()
+        text.rsplit(": ").next().unwrap_or_default().to_owned()
     } else if text.contains("Failed to create surface") {
-        NO_ADAPTER
+        RenderError::NoAdapter.to_string()
     } else {
-        &text
+        text
     };
     format!("the window cannot be opened: {text}")
 }

@@ -32,6 +32,7 @@ pub fn show(viewer: &mut Viewer, ui: &mut egui::Ui) {
     }
     let drawn = if viewer.lost().is_none() { draw(viewer, ui, rect) } else { Ok(()) };
     if let Err(why) = drawn {
+        viewer.is_tracing = false;
         viewer.say(format!("this cannot be drawn: {why}"));
     }
     paint(viewer, ui, rect);
@@ -52,8 +53,11 @@ fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderErro
     }
     let now = ui.input(|input| input.time);
     for side in 0..stage.sides() {
+        // Those of the other side are taken too, so that they do not pile up.
         let times = stage.times(side);
-        times.into_iter().filter(|_| side == 0).for_each(|times| viewer.timings.push(now, times));
+        if side == 0 {
+            times.into_iter().for_each(|times| viewer.timings.push(now, times));
+        }
     }
     if !choices.overlay || choices.frozen.is_some() {
         viewer.is_tracing = false;

@@ -107,8 +107,8 @@ impl eframe::App for Page {
     }
 }
 
-/// Sets `window.umbrage`: the world, its settings, whether anything is under way, what was said, how wrong it is; and where widgets are,
-/// where the page's address has `probe`.
+/// Sets `window.umbrage`: the world, its settings, whether anything is under way, what was said, how wrong it is; and where
+/// widgets are, where the page's address has `probe`.
 fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let state = js_sys::Object::new();
     let set = |key: &str, value: JsValue| {
