@@ -64,8 +64,14 @@ impl ShadowView {
     /// How far along the light's axis a depth is that is stored at a place of the tile, given in texels: 0 on the near
     /// plane, 1 on the far one, and even between.
     pub fn even_depth(&self, texel: Vec2, stored: f32) -> f32 {
+        // Nothing was drawn. A warp would make a place of that: beside its receivers, and beyond its line at infinity, the
+        // far plane is not at 1.
+        if stored >= 1.0 {
+            return 1.0;
+        }
         let ndc = texel / self.tile.size as f32 * Vec2::new(2.0, -2.0) + Vec2::new(-1.0, 1.0);
-        let straight = stored / self.inverse_weight.dot(ndc.extend(1.0));
+        // A warped map also shows what lies behind its far plane. A lamp would take that for something behind itself.
+        let straight = (stored / self.inverse_weight.dot(ndc.extend(1.0))).min(1.0);
         if !self.spreads {
             return straight;
         }

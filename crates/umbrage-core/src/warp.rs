@@ -37,6 +37,10 @@ pub(crate) struct Warp {
 const FARTHEST: f64 = 1e3;
 /// Lines are not nearer than this share of the map's depth: a map that ends at infinity has no texels.
 const NEAREST: f64 = 1e-3;
+/// Those of a lamp are not nearer than so many times the room that the map has around its receivers either, as beyond the
+/// line it shows what lies behind the lamp, and filters would find that behind the far end. At twice the weight at the end
+/// of the room is half of that before it.
+const ROOMS: f64 = 2.0;
 /// See [`Along::fade`].
 const FADE: f64 = 0.3;
 /// Sine of the angle between light and view, below which there is no ahead.
@@ -89,6 +93,8 @@ pub(crate) struct Sight<'a> {
     pub receivers: &'a ConvexBody,
     /// All that casts is in here.
     pub world: Aabb,
+    /// How much room the map has at each side for filters, as a share of the receivers' own.
+    pub room: f64,
 }
 
 /// The unit direction on the map's plane that becomes up, and the warp in axes turned so. `None` where even texels are
@@ -200,7 +206,9 @@ impl<'a> Along<'a> {
     fn warp(&self, distance: f64) -> Option<(DVec2, Warp)> {
         let is_warped = distance.is_finite() && distance < FARTHEST * self.length;
         is_warped.then(|| {
-            let distance = distance.max(NEAREST * self.length);
+            let Sight { light, room, .. } = *self.sight;
+            let nearest = if light.tip.is_some() { NEAREST.max(ROOMS * room) } else { NEAREST };
+            let distance = distance.max(nearest * self.length);
             (self.ahead, Warp { centre: DVec2::new(self.aside, self.low), inverse_distance: 1.0 / distance })
         })
     }

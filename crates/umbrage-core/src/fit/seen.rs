@@ -102,7 +102,9 @@ impl<'a> Seen<'a> {
         let Self { light, outline, metres, depths, nearest, .. } = self;
         let corners = outline.corners();
         let (camera, world) = (slice.camera, slice.bounds.world);
-        let sight = Sight { camera, light: &light, outline: corners, depths, nearest, receivers, world };
+        let room = 0.5 * (slice.padding() - 1.0);
+        let sight =
+            Sight { camera, light: &light, outline: corners, depths, nearest, receivers, world, room };
         let (side, warp) = match warp(slice.settings.warp, &sight) {
             Some((ahead, warp)) => (-ahead.perp(), warp),
             None => (turn(corners), Warp::default()),

@@ -45,6 +45,7 @@ mod tests {
             nearest,
             receivers: &ConvexBody::default(),
             world: Aabb::EMPTY,
+            room: 0.0,
         };
         let warped = warp(settings::Warp::Lispsm, &sight);
         let along = sight.ahead().and_then(|ahead| Along::new(&sight, ahead));

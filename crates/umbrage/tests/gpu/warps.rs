@@ -2,7 +2,7 @@
 
 use crate::common::{Drawn, Query, bounds, camera, device, draw_lit, queries, world};
 use glam::{DVec3, Vec3};
-use umbrage::{Camera, Filter, Light, Select, Settings, Warp};
+use umbrage::{Camera, Exponential, Filter, FourMoments, Light, Select, Settings, Variance, Warp};
 
 const WARPS: [Warp; 3] = [Warp::Psm, Warp::Lispsm, Warp::Tsm];
 
@@ -111,6 +111,53 @@ fn nothing_jumps_where_light_and_view_become_parallel_or_perpendicular() {
                     let most = if exponent > -2.0 { 0.1 } else { 0.012 };
                     assert!(share < most, "{warp:?} {what}, 1e{exponent}: {share} wrong");
                 }
+            }
+        }
+    }
+}
+
+/// A floor of 10 × 10 squares with nothing around it.
+fn floor() -> Vec<[Vec3; 3]> {
+    let corner = |i: u32, j: u32| Vec3::new(i as f32 * 4.0 - 20.0, 0.0, j as f32 * 4.0 - 20.0);
+    let square = |i: u32, j: u32| {
+        let [a, b, c, d] = [corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    };
+    (0..100).flat_map(|i| square(i / 10, i % 10)).collect()
+}
+
+#[test]
+fn the_emptiness_around_a_floor_does_not_shadow_it() {
+    let (world, eye) = (floor(), camera(Vec3::new(0.0, 6.0, 28.0), Vec3::new(0.0, 0.0, 0.0)));
+    let seen = queries(&world, &eye, 40);
+    let spot = Light::spot(Vec3::new(25.0, 30.0, 5.0), Vec3::new(-25.0, -30.0, -5.0), 0.7, 200.0);
+    let filters = [
+        Filter::Vsm(Variance::default()),
+        Filter::Esm(Exponential::default()),
+        Filter::Msm(FourMoments::default()),
+    ];
+    for light in [sun(Vec3::new(-0.5, -0.6, -0.1)), spot.expect("a spot")] {
+        for warp in WARPS {
+            for filter in filters {
+                let settings = Settings {
+                    warp,
+                    filter,
+                    splits: 1,
+                    spot_splits: 1,
+                    resolution: 512,
+                    ..Settings::default()
+                };
+                let drawn = draw_lit(
+                    device(wgpu::Backends::VULKAN),
+                    settings,
+                    &eye,
+                    &[light],
+                    &world,
+                    &bounds(&world),
+                );
+                let dark = drawn.visibility(&seen).iter().filter(|visibility| **visibility < 0.9).count();
+                // Four moments of a floor seen at a low angle are rounded to a shadow here and there.
+                assert!(dark * 200 < seen.len(), "{warp:?}, {filter:?}: {dark} of {} are dark", seen.len());
             }
         }
     }
