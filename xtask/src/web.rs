@@ -16,6 +16,8 @@ use crate::command::{root, run};
 const TARGET: &str = "wasm32-unknown-unknown";
 const PROGRAM: &str = "umbrage-web";
 const PAGE: &str = "crates/umbrage-viewer/web/index.html";
+const WORKER: &str = "crates/umbrage-viewer/web/worker.js";
+const WORKER_IN_PAGE: &str = "umbrage-worker.js";
 const SIZE_IN_PAGE: &str = "data-bytes=\"0\"";
 
 /// What rustc lets into a program for the web since 1.82, and a shorter program may therefore hold too.
@@ -43,6 +45,7 @@ pub fn build(out: &Path) -> anyhow::Result<()> {
         .generate(&out)?;
     let wasm = out.join(format!("{PROGRAM}_bg.wasm"));
     shorten(&wasm)?;
+    std::fs::copy(root().join(WORKER), out.join(WORKER_IN_PAGE)).with_context(failed)?;
     let page = std::fs::read_to_string(root().join(PAGE)).with_context(|| PAGE)?;
     ensure!(page.matches(SIZE_IN_PAGE).count() == 1, "the page has no {SIZE_IN_PAGE} to fill in: {PAGE}");
     let bytes = std::fs::metadata(&wasm)?.len();
@@ -107,7 +110,12 @@ fn shorten(wasm: &Path) -> anyhow::Result<()> {
 fn print_sizes(out: &Path) -> anyhow::Result<()> {
     println!("{:>12} {:>12}  {}", "bytes", "gzip -9", out.display());
     let mut sums = [0, 0];
-    for name in ["index.html".to_owned(), format!("{PROGRAM}.js"), format!("{PROGRAM}_bg.wasm")] {
+    for name in [
+        "index.html".to_owned(),
+        WORKER_IN_PAGE.to_owned(),
+        format!("{PROGRAM}.js"),
+        format!("{PROGRAM}_bg.wasm"),
+    ] {
         let bytes = std::fs::read(out.join(&name)).with_context(|| name.clone())?;
         let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
         gzip.write_all(&bytes)?;

@@ -24,7 +24,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "web-time",
         ],
     ),
-    ("umbrage-judge", &["umbrage-scene", "glam", "obvhs", "rayon", "nv-flip", "serde"]),
+    ("umbrage-judge", &["umbrage-scene", "bytemuck", "glam", "obvhs", "rayon", "nv-flip", "serde"]),
     (
         "umbrage-lab",
         &[

@@ -18,6 +18,7 @@
 pub mod statistics;
 pub mod temporal;
 
+mod bytes;
 mod causes;
 mod deviation;
 mod edges;
@@ -48,4 +49,4 @@ pub use smooth::{Smooth, soft, sub_pixel};
 pub use triangle::Ray;
 pub use truth::{Pixel, Receiver, Truth};
 pub use verdict::{Tally, Verdict};
-pub use world::{Hit, World};
+pub use world::{Hit, Triangles, World};

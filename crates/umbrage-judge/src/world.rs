@@ -15,11 +15,11 @@ use crate::Ray;
 /// All triangles of a scene, in world space, and a tree over them.
 pub struct World {
     /// In the order of the tree's leaves.
-    triangles: Vec<[Vec3; 3]>,
+    pub(crate) triangles: Vec<[Vec3; 3]>,
     /// Of each triangle: whether it never moves.
-    still: Vec<bool>,
+    pub(crate) still: Vec<bool>,
     /// `None` where there are no triangles.
-    tree: Option<Bvh2>,
+    pub(crate) tree: Option<Bvh2>,
 }
 
 impl std::fmt::Debug for World {
@@ -55,31 +55,47 @@ impl obvhs::Boundable for Leaf<'_> {
     }
 }
 
-impl World {
-    /// A scene at `seconds` after its start, every triangle of it; with the tree built, on all cores.
-    pub fn new(scene: &Scene, seconds: f32) -> Self {
-        let (mut triangles, mut still) = (Vec::with_capacity(scene.triangles()), Vec::new());
+/// Triangles of a world in any order, before a tree is built over them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Triangles {
+    /// Their corners, in world space.
+    pub(crate) corners: Vec<[Vec3; 3]>,
+    /// Of each: whether it never moves.
+    pub(crate) still: Vec<bool>,
+}
+
+impl Triangles {
+    /// Every triangle of a scene at `seconds` after its start.
+    pub fn of(scene: &Scene, seconds: f32) -> Self {
+        let (mut corners, mut still) = (Vec::with_capacity(scene.triangles()), Vec::new());
         for instance in &scene.instances {
             let mesh = &scene.meshes[instance.mesh];
             let world_from_mesh = instance.world_from_mesh_at(seconds);
             let corner = |i: &u32| world_from_mesh.transform_point3(mesh.positions[*i as usize]);
-            triangles.extend(mesh.indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.each_ref().map(corner)));
-            still.resize(triangles.len(), !instance.is_dynamic());
+            corners.extend(mesh.indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.each_ref().map(corner)));
+            still.resize(corners.len(), !instance.is_dynamic());
         }
-        Self::build(triangles, still)
+        Self { corners, still }
+    }
+}
+
+impl World {
+    /// A scene at `seconds` after its start, every triangle of it; with the tree built, on all cores.
+    pub fn new(scene: &Scene, seconds: f32) -> Self {
+        Self::sorted(Triangles::of(scene, seconds))
     }
 
     /// Triangles in world space that never move.
     pub fn of_triangles(triangles: Vec<[Vec3; 3]>) -> Self {
         let still = vec![true; triangles.len()];
-        Self::build(triangles, still)
+        Self::sorted(Triangles { corners: triangles, still })
     }
 
-    /// Triangles with coordinates that are not finite are left out.
-    fn build(triangles: Vec<[Vec3; 3]>, still: Vec<bool>) -> Self {
+    /// Triangles with the tree built over them, on all cores. Those with coordinates that are not finite are left out.
+    pub fn sorted(Triangles { corners, still }: Triangles) -> Self {
         let is_finite = |triangle: &[Vec3; 3]| triangle.iter().all(|corner| corner.is_finite());
         let (triangles, still): (Vec<_>, Vec<_>) =
-            triangles.into_iter().zip(still).filter(|(triangle, _)| is_finite(triangle)).unzip();
+            corners.into_iter().zip(still).filter(|(triangle, _)| is_finite(triangle)).unzip();
         if triangles.is_empty() {
             return Self { triangles, still, tree: None };
         }

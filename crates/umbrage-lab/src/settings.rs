@@ -124,6 +124,18 @@ pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
     Ok(settings)
 }
 
+/// A preset's settings with `key=value` over them, one after the other, checked.
+///
+/// # Errors
+/// What is wrong first.
+pub fn asked(name: &str, words: &[impl AsRef<str>]) -> Result<Settings, WrongSettings> {
+    let mut table = preset(name)?;
+    for words in words {
+        overlay(&mut table, from_words(words.as_ref())?);
+    }
+    checked(table)
+}
+
 /// The key at fault, levels parted by dots, and what is wrong with it.
 pub(crate) fn fault(mut error: toml::de::Error) -> (String, String) {
     // Without its input, the error's last line is "in `a.b`": the only way to ask where it was.
@@ -149,19 +161,11 @@ mod tests {
 
     use super::*;
 
-    fn with(name: &str, set: &[&str]) -> Result<Settings, WrongSettings> {
-        let mut table = preset(name)?;
-        for words in set {
-            overlay(&mut table, from_words(words)?);
-        }
-        checked(table)
-    }
-
     #[test]
     fn single_keys_go_over_the_preset() {
         let set =
             ["splits=5", "lambda=0.75", "fit=stable", "filter.kind=pcf", "filter.size=7", "bias.normal=2"];
-        let settings = with("ferko-pssm-3x512", &set).unwrap();
+        let settings = asked("ferko-pssm-3x512", &set).unwrap();
         assert_eq!((settings.splits, settings.lambda, settings.fit), (5, 0.75, Fit::Stable));
         assert_eq!((settings.filter, settings.resolution), (Filter::Pcf { size: 7 }, 512));
         assert_eq!(settings.bias.normal, 2.0);
@@ -169,7 +173,7 @@ mod tests {
 
     #[test]
     fn another_kind_of_filter_forgets_the_old_ones_numbers() {
-        let settings = with("default", &["filter.kind=pcf", "filter.size=7", "filter.kind=hard"]).unwrap();
+        let settings = asked("default", &["filter.kind=pcf", "filter.size=7", "filter.kind=hard"]).unwrap();
         assert_eq!(settings.filter, Filter::Hard {});
     }
 
@@ -192,12 +196,12 @@ mod tests {
             ("resolution=100000", "resolution", "`resolution` must be from 16 to 16384 texels"),
             ("fit=\"a\\nb\"", "fit", "a b"),
         ] {
-            let wrong = with("default", &[set]).expect_err(set);
+            let wrong = asked("default", &[set]).expect_err(set);
             let text = wrong.to_string();
             assert!(text.contains(wanted) && !text.contains('\n'), "{set}: {text}");
             assert_eq!(wrong.key(), key, "{set}: {text}");
         }
-        let text = with("bevie", &[]).expect_err("no such preset").to_string();
+        let text = asked("bevie", &[""; 0]).expect_err("no such preset").to_string();
         assert!(text.contains("bevie") && text.contains("ferko-sm-1024"), "names presets: {text}");
     }
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui;
-use umbrage_judge::{Edges, Eye, Progress, Tally, Tile, Verdict, World};
+use umbrage_judge::{Edges, Eye, Progress, Tally, Tile, Triangles, Verdict, World};
 use umbrage_lab::heat::{FALSE_LIGHT, FALSE_SHADOW};
 use umbrage_render::{ComingPicture, Frame, RenderError, Show};
 use umbrage_scene::{Camera, Light, Scene};
@@ -140,7 +140,7 @@ impl Overlay {
         if self.growing.as_ref().is_none_or(|(of, at, _)| (*of, *at) != (world, seconds)) {
             let scene = Arc::clone(scene);
             let what = format!("sorting {} triangles for rays", scene.triangles());
-            let task = Task::run(what, context, move || World::new(&scene, seconds));
+            let task = Task::sort(what, context, move || Triangles::of(&scene, seconds));
             self.growing = Some((world, seconds, task));
             self.judging = None;
             return Ok(None);

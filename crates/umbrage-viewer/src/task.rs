@@ -4,6 +4,7 @@
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use eframe::egui;
+use umbrage_judge::{Triangles, World};
 
 /// Work under way, and what it is in words.
 #[derive(Debug)]
@@ -61,6 +62,25 @@ impl<T: 'static> Task<T> {
             context.request_repaint();
         });
         Self { what: what.into(), result }
+    }
+}
+
+impl Task<World> {
+    /// Builds the tree over triangles: on a thread of its own, in a page too.
+    pub fn sort(
+        what: impl Into<String>,
+        context: &egui::Context,
+        triangles: impl FnOnce() -> Triangles + Send + 'static,
+    ) -> Self {
+        Self::wait_for(what, context, async move {
+            #[cfg(target_arch = "wasm32")]
+            {
+                crate::web::next_moment().await;
+                crate::web::sorted(triangles()).await
+            }
+            #[cfg(not(target_arch = "wasm32"))]
+            World::sorted(triangles())
+        })
     }
 }
 

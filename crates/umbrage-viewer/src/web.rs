@@ -18,6 +18,10 @@ use crate::load::{MOST_BYTES, Source};
 use crate::probe::Probe;
 use crate::task::Task;
 
+mod worker;
+
+pub use worker::sorted;
+
 /// Runs on the canvas with the id `umbrage`. The page's address may name a world and settings:
 /// `?world=knights&set=splits=3&set=lambda=0.9`.
 ///
@@ -66,20 +70,12 @@ pub async fn start() -> Result<(), JsValue> {
 fn asked_for(asked: &web_sys::UrlSearchParams) -> Start {
     let world = asked.get("world").unwrap_or_else(|| worlds::DEFAULT.to_owned());
     let sets = asked.get_all("set").iter().filter_map(|set| set.as_string()).collect::<Vec<_>>();
-    let (settings, message) = match settings(asked.get("preset").as_deref(), &sets) {
+    let preset = asked.get("preset").unwrap_or_else(|| "default".to_owned());
+    let (settings, message) = match umbrage_lab::settings::asked(&preset, &sets) {
         Ok(settings) => (settings, None),
         Err(why) => (Settings::default(), Some(why.to_string())),
     };
     Start { message, ..Start::new(Source::Named(world), settings) }
-}
-
-fn settings(preset: Option<&str>, sets: &[String]) -> Result<Settings, umbrage_lab::settings::WrongSettings> {
-    use umbrage_lab::settings::{checked, from_words, overlay};
-    let mut table = umbrage_lab::settings::preset(preset.unwrap_or("default"))?;
-    for set in sets {
-        overlay(&mut table, from_words(set)?);
-    }
-    checked(table)
 }
 
 fn options() -> eframe::WebOptions {

@@ -78,10 +78,10 @@ async function installed(names) {
 
 /**
  * Starts a browser with a new profile, on a screen of its own.
- * Options: width and height of the page; touch: true for a touch screen; without: "gpu" for a browser that knows no
- * WebGPU, "adapter" for one that finds no adapter.
+ * Options: width and height of the page; without: "gpu" for a browser that knows no WebGPU, "adapter" for one that finds
+ * no adapter.
  */
-export async function launch({ width = 1280, height = 720, touch = false, without } = {}) {
+export async function launch({ width = 1280, height = 720, without } = {}) {
   const executablePath =
     process.env.UMBRAGE_BROWSER ?? (await installed(["chromium", "chromium-browser", "google-chrome"]));
   const { display, close } = await screen(width + 100, height + 200);
@@ -89,7 +89,6 @@ export async function launch({ width = 1280, height = 720, touch = false, withou
   const context = await chromium.launchPersistentContext(profile, {
     executablePath,
     headless: false,
-    hasTouch: touch,
     viewport: { width, height },
     args: [...GPU, ...QUIET],
     env: { ...process.env, DISPLAY: display },
@@ -100,6 +99,15 @@ export async function launch({ width = 1280, height = 720, touch = false, withou
     if (without === "adapter") GPU.prototype.requestAdapter = async () => null;
     addEventListener("umbrage-started", () =>
       requestAnimationFrame(() => requestAnimationFrame(() => (window.umbrageShown = performance.now()))));
+    if (!window.GPUAdapter) return;
+    // The devices that the page was given, for those who take them away.
+    window.devices = [];
+    const requestDevice = GPUAdapter.prototype.requestDevice;
+    GPUAdapter.prototype.requestDevice = async function (...wanted) {
+      const device = await requestDevice.apply(this, wanted);
+      window.devices.push(device);
+      return device;
+    };
   }, without);
   return {
     /** The browser's tab. */
@@ -203,9 +211,38 @@ export class Page {
     await this.tab.mouse.wheel(0, pixels);
   }
 
-  /** A finger's tap; the browser must have been launched with touch. */
-  async tap(x, y) {
-    await this.tab.touchscreen.tap(x, y);
+  /** Lays fingers down and moves them: for each its way, as a list of points, all equally long. Then lifts them. */
+  async touch(...fingers) {
+    this.protocol ??= await this.tab.context().newCDPSession(this.tab);
+    const send = (type, touchPoints) => this.protocol.send("Input.dispatchTouchEvent", { type, touchPoints });
+    for (let step = 0; step < fingers[0].length; step++) {
+      const points = fingers.map((way, id) => ({ x: way[step][0], y: way[step][1], id }));
+      await send(step === 0 ? "touchStart" : "touchMove", points);
+      await this.wait(50);
+    }
+    await send("touchEnd", []);
+  }
+
+  /** How long the page stood still at most, in milliseconds, while `work` went on: its longest task. 0 for less than 50. */
+  async longestTask(work) {
+    await this.tab.evaluate(() => {
+      window.longest = 0;
+      window.watch = new PerformanceObserver((list) => {
+        for (const { duration } of list.getEntries()) window.longest = Math.max(window.longest, duration);
+      });
+      window.watch.observe({ type: "longtask" });
+    });
+    await work();
+    await this.wait(300); // tasks are reported when they are over
+    return this.tab.evaluate(() => {
+      window.watch.disconnect();
+      return window.longest;
+    });
+  }
+
+  /** Takes the page's GPU away, as a driver does that starts anew. */
+  async loseDevice() {
+    await this.tab.evaluate(() => window.devices.at(-1).destroy());
   }
 
   /** Drops a file of the given bytes on the canvas. */

@@ -95,8 +95,8 @@ function strange(a, b, reach) {
   return count;
 }
 
-async function main() {
-  console.log("a world, and its shadows");
+/** A world's first picture, which is the native program's. */
+async function world() {
   const start = Date.now();
   await page.goto(server.url, { world: "primitives", probe: "1" });
   await until("the world", (now) => now.world === "primitives" && now.atRest);
@@ -112,8 +112,10 @@ async function main() {
   console.log(`  ${apart} of ${total} pixels differ from the native picture; ${odd} are like none within a pixel there`);
   check(apart < 0.01 * total, "the picture is the native one but for a hundredth of its pixels");
   check(odd < 1e-4 * total, "and those are at edges, off by a pixel at most");
+  return first;
+}
 
-  console.log("a slider");
+async function slider(first) {
   const slider = await widget("λ");
   await page.drag([slider.left + 0.76 * (slider.right - slider.left), slider.y], [slider.left + 4, slider.y]);
   const moved = await until("another λ", (now) => !now.settings.includes("lambda = 0.8\n") && now.atRest, 20_000);
@@ -122,16 +124,41 @@ async function main() {
   await click("reset");
   await until("the default", (now) => now.settings.includes("lambda = 0.8\n"));
   check(differing(first, await look("web-reset")) === 0, "and is as it was when it is reset");
+}
 
-  console.log("what is wrong");
+async function fingers(first) {
+  const { left, top, right, bottom } = await widget("the picture");
+  const at = (x, y) => [left + x * (right - left), top + y * (bottom - top)];
+  const way = (from, to) => Array.from({ length: 9 }, (_, i) => from.map((place, axis) => place + ((to[axis] - place) * i) / 8));
+  await page.touch(way(at(0.5, 0.5), at(0.6, 0.5)));
+  const turned = await look("web-turned");
+  check(differing(first, turned) > 0.1 * first.width * first.height, "one finger looks around");
+  await page.touch(way(at(0.42, 0.5), at(0.34, 0.5)), way(at(0.58, 0.5), at(0.66, 0.5)));
+  const nearer = await look("web-nearer");
+  check(differing(turned, nearer) > 0.1 * first.width * first.height, "two go nearer");
+  await page.press("1");
+  check(differing(first, await look("web-camera-1")) === 0, "and a key brings the world's camera back");
+}
+
+async function truth() {
   await click("show what is wrong");
   const judged = await until("the truth", (now) => now.judged > 10_000 && now.atRest);
   await look("web-truth");
   console.log(`  ${judged.judged} pixels judged, ${(100 * judged.misShadowed).toFixed(3)} % mis-shadowed`);
   check(judged.misShadowed < 0.02, "less than 2 % is wrong");
   await click("show what is wrong");
+}
 
-  console.log("files that are dropped");
+async function lostDevice(first) {
+  await page.loseDevice();
+  const back = await until("another device", (now) => now.messages.some((message) => message.includes("was lost")) && now.atRest);
+  check(back.world === "primitives", `the page goes on: ${back.messages.at(-1)}`);
+  await look("web-lost");
+  await click("close");
+  check(differing(first, await look("web-another-device")) === 0, "and shows what it showed");
+}
+
+async function files() {
   const glb = join(scratch, "stranger.glb");
   execFileSync(umbrage, ["worlds", "export", "bunny", glb]);
   await page.drop("stranger.glb", await readFile(glb), 500, 400);
@@ -145,23 +172,65 @@ async function main() {
   await until("another refusal", (now) => now.messages.some((message) => message.includes("virtual_pages")));
   await look("web-refused");
   check(true, "settings of a newer version are refused by their key");
+  const other = join(scratch, "chosen.glb");
+  execFileSync(umbrage, ["worlds", "export", "primitives", other]);
+  await click("World");
+  await click("Open a file…");
+  await page.tab.locator("input[type=file]").setInputFiles(other);
+  await until("the chosen world", (now) => now.world === "chosen" && now.atRest);
+  await look("web-chosen");
+  check(true, "a file that is chosen in a dialog is shown");
+}
 
-  console.log("a tab in the background");
+async function background() {
   const other = await page.tab.context().newPage();
   await other.goto("about:blank");
   await page.wait(3000);
   await other.close();
   await page.tab.bringToFront();
-  await until("the page again", (now) => now.world === "stranger" && now.atRest);
+  await until("the page again", (now) => now.world === "chosen" && now.atRest);
   await look("web-back");
+}
 
+/** More than a million triangles, sorted for rays beside the page, or by it where the browser starts no worker. */
+async function large() {
+  const stands = {};
+  for (const sorts of ["a worker", "the page"]) {
+    const start = Date.now();
+    await page.goto(server.url, { probe: "1" });
+    await until("the world", (now) => now.world === "mining-terrain" && now.atRest, 300_000);
+    console.log(`  shown after ${((Date.now() - start) / 1e3).toFixed(1)} s, on a software GPU`);
+    await look("web-mining-terrain");
+    if (sorts === "the page") await page.tab.evaluate(() => delete window.Worker);
+    stands[sorts] = await page.longestTask(async () => {
+      await click("show what is wrong");
+      await until("some truth", (now) => now.judged > 1000, 300_000);
+    });
+    console.log(`  stands still for ${stands[sorts].toFixed(0)} ms at most while ${sorts} sorts triangles`);
+    const rest = await page.longestTask(() => until("all of it", (now) => now.judged > 10_000 && now.atRest, 300_000));
+    console.log(`  and for ${rest.toFixed(0)} ms at most while rays are traced and edges measured`);
+    await look("web-mining-terrain-truth");
+  }
+  check(stands["a worker"] < 0.5 * stands["the page"], "a worker leaves the page free");
+}
+
+async function main() {
+  console.log("a world, and its shadows");
+  const first = await world();
+  console.log("a slider");
+  await slider(first);
+  console.log("fingers");
+  await fingers(first);
+  console.log("what is wrong");
+  await truth();
+  console.log("a lost device");
+  await lostDevice(first);
+  console.log("files");
+  await files();
+  console.log("a tab in the background");
+  await background();
   console.log("the default world");
-  const again = Date.now();
-  await page.goto(server.url, { probe: "1" });
-  await until("the world", (now) => now.world === "mining-terrain" && now.atRest, 300_000);
-  console.log(`  shown after ${((Date.now() - again) / 1e3).toFixed(1)} s, on a software GPU`);
-  await look("web-mining-terrain");
-
+  await large();
   const faults = page.faults();
   check(faults.length === 0, `the page does not complain${faults.length ? `: ${faults[0].text}` : ""}`);
 }

@@ -1,0 +1,137 @@
+//! Triangles and worlds as bytes: so that a program which shares no memory with this one, as a web page's worker, can build
+//! the tree. They are no file format: the program that reads them must be the one that wrote them.
+
+use bytemuck::pod_collect_to_vec;
+use glam::Vec3;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::node::Bvh2Node;
+
+use crate::world::{Triangles, World};
+
+/// How many triangles and nodes follow, and how deep the tree is.
+type Header = [u64; 3];
+
+const HEADER: usize = size_of::<Header>();
+const CORNERS: usize = size_of::<[Vec3; 3]>();
+const NODE: usize = size_of::<Bvh2Node>();
+
+impl Triangles {
+    /// As bytes, for [`Self::from_bytes`].
+    pub fn to_bytes(&self) -> Vec<u8> {
+        joined(&self.corners, &self.still, None)
+    }
+
+    /// What [`Self::to_bytes`] made; `None` for anything else.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let (triangles, tree) = parted(bytes)?;
+        tree.is_none().then_some(triangles)
+    }
+}
+
+impl World {
+    /// As bytes, for [`Self::from_bytes`].
+    pub fn to_bytes(&self) -> Vec<u8> {
+        joined(&self.triangles, &self.still, self.tree.as_ref())
+    }
+
+    /// What [`Self::to_bytes`] made; `None` for anything else.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let (Triangles { corners: triangles, still }, tree) = parted(bytes)?;
+        let is_inside = |node: &Bvh2Node| {
+            let (first, count) = (node.first_index as usize, node.prim_count as usize);
+            let (end, all) = if node.is_leaf() {
+                (first + count, triangles.len())
+            } else {
+                (first + 2, tree.as_ref().map_or(0, |tree| tree.nodes.len()))
+            };
+            end <= all
+        };
+        let is_whole =
+            tree.is_some() != triangles.is_empty() && tree.iter().flat_map(|tree| &tree.nodes).all(is_inside);
+        is_whole.then_some(Self { triangles, still, tree })
+    }
+}
+
+fn joined(corners: &[[Vec3; 3]], still: &[bool], tree: Option<&Bvh2>) -> Vec<u8> {
+    let nodes = tree.map_or(&[][..], |tree| &tree.nodes);
+    let header: Header =
+        [corners.len(), nodes.len(), tree.map_or(0, |tree| tree.max_depth)].map(|count| count as u64);
+    let mut bytes = Vec::with_capacity(HEADER + corners.len() * (CORNERS + 1) + nodes.len() * NODE);
+    bytes.extend_from_slice(bytemuck::bytes_of(&header));
+    bytes.extend_from_slice(bytemuck::cast_slice(corners));
+    bytes.extend(still.iter().map(|still| u8::from(*still)));
+    bytes.extend_from_slice(bytemuck::cast_slice(nodes));
+    bytes
+}
+
+/// The inverse of [`joined`].
+fn parted(bytes: &[u8]) -> Option<(Triangles, Option<Bvh2>)> {
+    let (header, rest) = bytes.split_first_chunk::<HEADER>()?;
+    let [triangles, nodes, max_depth] =
+        bytemuck::pod_read_unaligned::<Header>(header).map(|count| usize::try_from(count).ok());
+    let (triangles, nodes, max_depth) = (triangles?, nodes?, max_depth?);
+    let (corners, rest) = rest.split_at_checked(triangles.checked_mul(CORNERS)?)?;
+    let (still, rest) = rest.split_at_checked(triangles)?;
+    if rest.len() != nodes.checked_mul(NODE)? {
+        return None;
+    }
+    let tree = (nodes > 0).then(|| Bvh2 { nodes: pod_collect_to_vec(rest), max_depth, ..Bvh2::default() });
+    let still = still.iter().map(|still| *still != 0).collect();
+    Some((Triangles { corners: pod_collect_to_vec(corners), still }, tree))
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use umbrage_scene::worlds;
+
+    use super::*;
+    use crate::Ray;
+
+    #[test]
+    fn a_world_that_was_sorted_elsewhere_answers_as_one_that_was_sorted_here() {
+        let scene = worlds::build("knights", 0).expect("a world");
+        let here = World::new(&scene, 0.5);
+        let triangles = Triangles::from_bytes(&Triangles::of(&scene, 0.5).to_bytes()).expect("triangles");
+        assert_eq!(triangles, Triangles::of(&scene, 0.5));
+        let there = World::from_bytes(&World::sorted(triangles).to_bytes()).expect("a world");
+        assert_eq!(here.triangles().len(), there.triangles().len());
+        let rays = (0..2000).map(|i| {
+            let (sine, cosine) = f64::from(i).sin_cos();
+            Ray::new(
+                DVec3::new(40.0 * sine, 1.0 + f64::from(i % 7), 40.0 * cosine),
+                DVec3::new(-sine, -0.02, -cosine),
+            )
+        });
+        let answer = |world: &World, ray: &Ray| {
+            let hit = world.first_hit(ray, 0.0, 1e3)?;
+            Some((hit.distance, world.triangles()[hit.triangle], world.is_still(hit.triangle)))
+        };
+        let mut hits = 0;
+        for ray in rays {
+            assert_eq!(answer(&here, &ray), answer(&there, &ray));
+            hits += usize::from(answer(&here, &ray).is_some());
+        }
+        assert!(hits > 500, "{hits} rays hit");
+    }
+
+    #[test]
+    fn bytes_that_are_none_of_ours_are_refused() {
+        let world = World::of_triangles(vec![[Vec3::ZERO, Vec3::X, Vec3::Y]; 9]);
+        let bytes = world.to_bytes();
+        assert!(World::from_bytes(&bytes).is_some());
+        for end in 0..bytes.len() {
+            assert!(World::from_bytes(&bytes[..end]).is_none(), "cut at {end}");
+        }
+        assert!(Triangles::from_bytes(&bytes).is_none(), "a world is not triangles");
+        let triangles = Triangles { corners: world.triangles().to_vec(), still: vec![true; 9] };
+        assert!(World::from_bytes(&triangles.to_bytes()).is_none(), "triangles are no world");
+        let mut lost = bytes;
+        let last = lost.len() - NODE;
+        // All of a node's bits set: it points anywhere.
+        lost[last..].fill(0xff);
+        assert!(World::from_bytes(&lost).is_none(), "a node that points outside");
+        let nothing = World::of_triangles(Vec::new());
+        assert!(World::from_bytes(&nothing.to_bytes()).is_some_and(|world| world.triangles().is_empty()));
+    }
+}

@@ -1,0 +1,70 @@
+//! A second instance of the program, on a thread of the browser's own: it sorts triangles while the page goes on. Nothing is
+//! shared, so any server can serve the page; triangles go over as bytes, and come back with their tree.
+//!
+//! `web/worker.js` is the other end.
+
+use umbrage_judge::{Triangles, World};
+use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::{JsCast as _, JsValue};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::js_sys::{Array, Object, Promise, Reflect, Uint8Array};
+
+const SCRIPT: &str = "umbrage-worker.js";
+
+/// What the worker runs: triangles as bytes, to a world as bytes.
+///
+/// # Errors
+/// When the bytes are no triangles.
+#[wasm_bindgen]
+pub fn sort(triangles: &[u8]) -> Result<Vec<u8>, String> {
+    let triangles = Triangles::from_bytes(triangles).ok_or("these are no triangles")?;
+    Ok(World::sorted(triangles).to_bytes())
+}
+
+/// The triangles with their tree. Where the browser starts no worker, the page stands still meanwhile.
+pub async fn sorted(triangles: Triangles) -> World {
+    match sorted_elsewhere(&triangles).await {
+        Ok(world) => world,
+        Err(why) => {
+            web_sys::console::warn_2(&"triangles are sorted by the page itself:".into(), &why);
+            World::sorted(triangles)
+        }
+    }
+}
+
+async fn sorted_elsewhere(triangles: &Triangles) -> Result<World, JsValue> {
+    let options = web_sys::WorkerOptions::new();
+    options.set_type(web_sys::WorkerType::Module);
+    let worker = Ending(web_sys::Worker::new_with_options(SCRIPT, &options)?);
+    let bytes = Uint8Array::from(triangles.to_bytes().as_slice());
+    let message = Object::new();
+    Reflect::set(&message, &"module".into(), &wasm_bindgen::module())?;
+    Reflect::set(&message, &"triangles".into(), &bytes)?;
+    let mut posted = Ok(());
+    let answer = Promise::new(&mut |resolve, reject| {
+        let answered = Closure::once_into_js(move |event: web_sys::MessageEvent| {
+            // A promise takes any value.
+            let _ = resolve.call1(&JsValue::NULL, &event.data());
+        });
+        let failed = Closure::once_into_js(move |event: web_sys::Event| {
+            let _ = reject.call1(&JsValue::NULL, &event);
+        });
+        worker.0.set_onmessage(Some(answered.as_ref().unchecked_ref()));
+        worker.0.set_onerror(Some(failed.as_ref().unchecked_ref()));
+        posted = worker.0.post_message_with_transfer(&message, &Array::of1(&bytes.buffer()));
+    });
+    posted?;
+    let answer = JsFuture::from(answer).await?;
+    // Words say what went wrong there.
+    let bytes: Uint8Array = answer.dyn_into()?;
+    World::from_bytes(&bytes.to_vec()).ok_or_else(|| "what the worker answers is no world".into())
+}
+
+/// A worker that ends when nobody waits for it.
+struct Ending(web_sys::Worker);
+
+impl Drop for Ending {
+    fn drop(&mut self) {
+        self.0.terminate();
+    }
+}
