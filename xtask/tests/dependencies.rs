@@ -61,6 +61,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "pollster",
             "rfd",
             "toml",
+            "url",
             "web-time",
             "wgpu",
             // in a browser

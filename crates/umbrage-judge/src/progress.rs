@@ -119,13 +119,23 @@ impl Progress {
     /// # Panics
     /// When there is not one visibility for each light and pixel.
     pub fn tally(&self, visibility: &[&[f32]]) -> Tally {
+        self.tally_at(0..self.count(), visibility)
+    }
+
+    /// The same of the pixels that were traced with a tile alone: the tallies of all tiles add up to that of the picture.
+    ///
+    /// # Panics
+    /// When there is not one visibility for each light and pixel, or the tile is none of this picture's.
+    pub fn tally_of(&self, tile: &Tile, visibility: &[&[f32]]) -> Tally {
+        self.tally_at(tile.samples().map(|(x, y)| self.index(x, y)), visibility)
+    }
+
+    fn tally_at(&self, places: impl Iterator<Item = usize> + Clone, visibility: &[&[f32]]) -> Tally {
         assert_eq!(visibility.len(), self.pixels.len(), "one picture of visibility a light");
         let mut tally = Tally::default();
         for (pixels, visibility) in self.pixels.iter().zip(visibility) {
             assert_eq!(visibility.len(), pixels.len(), "one visibility a pixel");
-            for (pixel, visibility) in pixels.iter().zip(*visibility) {
-                tally.count(Verdict::new(*pixel, *visibility));
-            }
+            places.clone().for_each(|i| tally.count(Verdict::new(pixels[i], visibility[i])));
         }
         tally
     }

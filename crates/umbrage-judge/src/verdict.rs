@@ -81,6 +81,14 @@ impl Tally {
     }
 }
 
+impl std::ops::AddAssign for Tally {
+    fn add_assign(&mut self, Self { judged, false_shadow, false_light }: Self) {
+        self.judged += judged;
+        self.false_shadow += false_shadow;
+        self.false_light += false_light;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

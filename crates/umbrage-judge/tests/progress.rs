@@ -136,7 +136,8 @@ fn the_tally_of_a_finished_progress_is_the_error_times_the_pixels() {
     let claims = [claim(pixels, 0), claim(pixels, 1)];
     let visibility = [claims[0].as_slice(), claims[1].as_slice()];
     assert_eq!(progress.tally(&visibility), Tally::default(), "nothing is traced");
-    progress.advance(|| false);
+    let mut tiles = Tally::default();
+    progress.advance(|| false).iter().for_each(|tile| tiles += progress.tally_of(tile, &visibility));
     let mut wanted = Tally::default();
     for (truth, visibility) in progress.truths().expect("all is traced").iter().zip(visibility) {
         let claim = Claim { visibility, texel_metres: &vec![0.0; pixels] };
@@ -150,6 +151,7 @@ fn the_tally_of_a_finished_progress_is_the_error_times_the_pixels() {
     let tally = progress.tally(&visibility);
     assert!(tally.false_shadow > 100 && tally.false_light > 100, "{tally:?}");
     assert_eq!(tally, wanted);
+    assert_eq!(tally, tiles, "tile by tile");
 }
 
 #[test]

@@ -250,6 +250,7 @@ impl Viewer {
         let before = choices.settings.clone();
         choices.settings[choices.edited] = settings;
         self.version += 1;
+        self.refused = None;
         match stage.set_settings(choices.sides()) {
             // A browser refuses frames later: what was in force before the first of several changes comes back.
             Ok(()) if self.good.as_ref().is_none_or(|(_, frames)| *frames >= 60) => {
@@ -269,6 +270,7 @@ impl Viewer {
         choices.compare = compare;
         choices.edited = 0;
         self.version += 1;
+        self.refused = None;
         if let Err(why) = stage.set_settings(choices.sides()) {
             choices.compare = false;
             self.say(format!("there is no room for a second picture: {why}"));
@@ -312,6 +314,9 @@ impl Viewer {
         let Some(choices) = &mut self.choices else { return false };
         let seconds = context.input(|input| input.stable_dt.min(0.1));
         let mut moves = input::flown(context, &mut choices.flight);
+        if moves {
+            choices.path = None;
+        }
         if choices.playing {
             choices.seconds += seconds;
             moves = true;
@@ -347,13 +352,7 @@ impl eframe::App for Viewer {
         let moves = self.go_forward(ui.ctx());
         let panels = self.choices.as_ref().is_none_or(|choices| choices.panels);
         if panels {
-            egui::Panel::top("bar").show(ui, |ui| self.top_bar(ui));
-            egui::Panel::left("what is seen").default_size(264.0).show(ui, |ui| {
-                egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.seen_panels(ui));
-            });
-            egui::Panel::right("settings").default_size(316.0).show(ui, |ui| {
-                egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.settings_panels(ui));
-            });
+            self.panels(ui);
         }
         egui::CentralPanel::no_frame().show(ui, |ui| picture::show(self, ui));
         self.windows(ui.ctx());

@@ -96,7 +96,11 @@ impl Viewer {
     }
 
     fn take_dropped(&mut self, context: &egui::Context) {
-        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        let mut dropped = context.input(|input| input.raw.dropped_files.clone());
+        // Of several files the world is meant; what it refers to is found beside it.
+        if let Some(world) = dropped.iter().position(|file| load::is_world(file.path())) {
+            dropped = vec![dropped.swap_remove(world)];
+        }
         for file in dropped {
             #[cfg(not(target_arch = "wasm32"))]
             self.take_file(context, &*file);
@@ -114,6 +118,10 @@ impl Viewer {
         let name = path.to_string_lossy().into_owned();
         if path.is_file() && load::extension(path) != "toml" {
             return self.load(context, load::of_path(path.to_owned()));
+        }
+        let size = path.metadata().map_or(0, |about| about.len());
+        if let Some(refused) = load::too_large(&name, size) {
+            return self.load(context, refused);
         }
         match file.bytes() {
             Ok(bytes) => self.open(context, &name, bytes),

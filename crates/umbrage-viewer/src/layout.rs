@@ -5,8 +5,37 @@ use eframe::egui;
 use crate::app::Viewer;
 use crate::{input, settings_panel};
 
+/// How wide the panels are at first, points: of what is seen, and of settings.
+const SEEN: f32 = 264.0;
+const SETTINGS: f32 = 316.0;
+/// How wide the picture must be, so that panels may stand beside it.
+const PICTURE: f32 = 240.0;
+
 impl Viewer {
-    pub(crate) fn seen_panels(&mut self, ui: &mut egui::Ui) {
+    /// Panels beside the picture; below it where there is no room for that, as on a phone.
+    pub(crate) fn panels(&mut self, ui: &mut egui::Ui) {
+        egui::Panel::top("bar").show(ui, |ui| self.top_bar(ui));
+        let scrolled = || egui::ScrollArea::vertical().auto_shrink(false);
+        if ui.available_width() < SEEN + PICTURE + SETTINGS {
+            let height = 0.45 * ui.available_height();
+            egui::Panel::bottom("all panels").resizable(true).default_size(height).show(ui, |ui| {
+                scrolled().show(ui, |ui| {
+                    self.seen_panels(ui);
+                    ui.separator();
+                    self.settings_panels(ui);
+                });
+            });
+            return;
+        }
+        egui::Panel::left("what is seen").default_size(SEEN).show(ui, |ui| {
+            scrolled().show(ui, |ui| self.seen_panels(ui));
+        });
+        egui::Panel::right("settings").default_size(SETTINGS).show(ui, |ui| {
+            scrolled().show(ui, |ui| self.settings_panels(ui));
+        });
+    }
+
+    fn seen_panels(&mut self, ui: &mut egui::Ui) {
         self.world_panel(ui);
         ui.separator();
         self.method_panel(ui);
@@ -14,12 +43,16 @@ impl Viewer {
         self.truth_panel(ui);
     }
 
-    pub(crate) fn settings_panels(&mut self, ui: &mut egui::Ui) {
+    fn settings_panels(&mut self, ui: &mut egui::Ui) {
         let Some(choices) = &mut self.choices else { return };
         if choices.compare {
             ui.horizontal(|ui| {
-                ui.selectable_value(&mut choices.edited, 0, "left").on_hover_text("Change the left side.");
-                ui.selectable_value(&mut choices.edited, 1, "right").on_hover_text("Change the right side.");
+                for (side, name) in ["left", "right"].into_iter().enumerate() {
+                    let value = ui.selectable_value(&mut choices.edited, side, name);
+                    if value.on_hover_text(format!("Change the {name} side.")).changed() {
+                        self.refused = None;
+                    }
+                }
             });
         }
         let settings = choices.settings[choices.edited].clone();

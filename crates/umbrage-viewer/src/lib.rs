@@ -4,8 +4,8 @@
 //! [`Viewer`] is the program, for eframe: the same in a window (`native::run`) and in a browser (`web`). What
 //! is shown is drawn by `umbrage-render`, and judged by `umbrage-judge`, in between the window's own frames.
 //!
-//! This crate does not: know how shadows are made, judged or read from files, nor any setting by its name but λ. Things
-//! that move are judged while they stand.
+//! This crate does not: know how shadows are made, judged or read from files, nor settings by their names, but
+//! λ, its scheme, cuts by hand, and what has a kind. Things that move are judged while they stand.
 
 pub mod choices;
 pub mod edit;

@@ -30,13 +30,15 @@ impl Chosen {
 /// drawn: that of the world, metres.
 pub fn of_plan(plan: &ShadowPlan, chosen: Chosen, reach: f64) -> Vec<(usize, Line)> {
     let mut lines = Vec::new();
-    if chosen.slices {
-        for (split, depths) in plan.splits().windows(2).enumerate() {
-            let corners = plan.camera().slice_corners(depths[0]..depths[1]);
-            lines.extend(edges(&ConvexBody::of_slice(&corners)).map(|line| (split, line)));
-        }
-    }
+    let mut sliced = None;
     for view in plan.views().iter().filter(|view| view.light == 0) {
+        // The faces of a lamp serve the same depths.
+        if chosen.slices && sliced.as_ref() != Some(&view.depths) {
+            let corners =
+                plan.camera().slice_corners(f64::from(view.depths.start)..f64::from(view.depths.end));
+            lines.extend(edges(&ConvexBody::of_slice(&corners)).map(|line| (view.split, line)));
+            sliced = Some(view.depths.clone());
+        }
         if chosen.maps {
             lines.extend(map_edges(&view.clip_from_world.as_dmat4()).map(|line| (view.split, line)));
         }

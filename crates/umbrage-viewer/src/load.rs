@@ -57,6 +57,18 @@ fn of_bytes(name: &str, bytes: &[u8]) -> Result<Imported, String> {
     })
 }
 
+/// A file that is too large to be read, as one that will be refused by its name; `None` for any other.
+pub fn too_large(name: &str, bytes: u64) -> Option<Source> {
+    let mebibytes = bytes >> 20;
+    let name = format!("{name} (too large: {mebibytes} MiB, at most {})", MOST_BYTES >> 20);
+    (bytes > MOST_BYTES).then_some(Source::Bytes { name, bytes: Vec::new() })
+}
+
+/// Whether a file's name is that of a world.
+pub fn is_world(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "glb" | "gltf" | "obj")
+}
+
 /// A path's extension in lower case; empty where it has none.
 pub fn extension(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()

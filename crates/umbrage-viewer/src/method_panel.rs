@@ -1,7 +1,7 @@
 //! How the shadows are made: splits, texels, maps, frusta, and where the view is cut.
 
 use eframe::egui;
-use umbrage::schema;
+use umbrage::{Rays, Scheme, schema};
 use umbrage_render::{MapLook, Mark};
 
 use crate::app::Viewer;
@@ -44,8 +44,9 @@ impl Viewer {
         }
         ui.horizontal_wrapped(|ui| {
             let lines = &mut choices.lines;
-            ui.checkbox(&mut lines.slices, "frusta")
-                .on_hover_text("The slices of the planned camera's view, as lines.");
+            ui.checkbox(&mut lines.slices, "frusta").on_hover_text(
+                "The slices of the planned camera's view that the first light's maps serve, as lines.",
+            );
             ui.checkbox(&mut lines.maps, "map bodies")
                 .on_hover_text("What each map of the first light covers, as lines.");
             ui.checkbox(&mut lines.casters, "caster volumes").on_hover_text(
@@ -61,7 +62,12 @@ impl Viewer {
         let edited = choices.edited.min(stage.sides() - 1);
         let settings = &choices.settings[edited];
         let Some(plan) = stage.plan(edited).filter(|plan| !plan.views().is_empty()) else { return };
-        let lambda = split_plot::show(ui, plan.splits(), settings.lambda);
+        let is_cut_by_lambda = settings.scheme == Scheme::Practical;
+        // What is cut is the view of suns; lamps have depths of their own.
+        let has_sun = plan.lights().iter().any(|light| matches!(light.rays, Rays::Directional { .. }));
+        let lambda = has_sun
+            .then(|| split_plot::show(ui, plan.splits(), is_cut_by_lambda.then_some(settings.lambda)))
+            .flatten();
         let texels: u64 = plan.views().iter().map(|view| u64::from(view.tile.size).pow(2)).sum();
         let triangles: u64 = stage.loads(edited).iter().map(|load| load.triangles).sum();
         let bytes = stage.bytes(edited) as f64 / f64::from(1 << 20);
@@ -103,7 +109,8 @@ impl Viewer {
                 let name = views.get(chosen).map_or("", |(_, name)| name.as_str());
                 let menu = egui::ComboBox::from_id_salt("map").selected_text(name).show_ui(ui, |ui| {
                     for (i, name) in &views {
-                        if ui.selectable_label(*i == chosen, name).clicked() {
+                        let item = ui.selectable_label(*i == chosen, name);
+                        if item.on_hover_text("The light and the split, and its largest texel.").clicked() {
                             self.shown_map = *i;
                         }
                     }
@@ -117,7 +124,7 @@ impl Viewer {
                     Ok(id) => {
                         let side = ui.available_width().min(ui.available_height().max(200.0));
                         let image = egui::Image::new((id, egui::Vec2::splat(side))).alt_text(name);
-                        ui.add(image);
+                        ui.add(image).on_hover_text("Dark is near the light, unless inverted.");
                     }
                     Err(why) => failed = Some(why.to_string()),
                 }

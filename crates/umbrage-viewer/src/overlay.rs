@@ -11,11 +11,11 @@ use eframe::egui;
 use umbrage_judge::{Edges, Eye, Progress, Tally, Tile, Triangles, Verdict, World};
 use umbrage_lab::heat::{FALSE_LIGHT, FALSE_SHADOW};
 use umbrage_render::{ComingPicture, Frame, RenderError, Show};
-use umbrage_scene::{Camera, Light, Scene};
+use umbrage_scene::{Camera, Instance, Light, Scene};
 use web_time::Instant;
 
 use crate::stage::Stage;
-use crate::task::Task;
+use crate::task::{Sorting, Task};
 
 /// How long rays are traced between two looks at the pointer and the keys, which come every `frame` seconds: half of the
 /// time, so that the window answers within a tenth of a second however slowly it is painted.
@@ -49,7 +49,7 @@ pub struct Figures {
 #[derive(Default)]
 pub struct Overlay {
     tree: Option<(u64, f32, Arc<World>)>,
-    growing: Option<(u64, f32, Task<World>)>,
+    growing: Option<(u64, f32, Sorting)>,
     judging: Option<Judging>,
 }
 
@@ -78,10 +78,9 @@ impl Overlay {
         self.judging = None;
     }
 
-    /// As [`Self::stop`], and waits for no tree either.
-    pub fn rest(&mut self) {
-        self.judging = None;
-        self.growing = None;
+    /// Forgets what was traced of any other picture than this.
+    pub fn keep(&mut self, shot: &Shot) {
+        self.judging.take_if(|judging| judging.shot != *shot);
     }
 
     /// Share of the picture that is traced, 0 to 1; `None` before rays are shot.
@@ -118,14 +117,12 @@ impl Overlay {
     ) -> Result<bool, RenderError> {
         let seconds = shot.frames.first().map_or(0.0, |frame| frame.seconds);
         let Some(tree) = self.tree_of(context, stage.scene(), world, seconds)? else { return Ok(true) };
-        if self.judging.as_ref().is_none_or(|judging| judging.shot != *shot) {
-            self.judging = Some(Judging::new(shot.clone(), distance));
-        }
-        let Some(judging) = &mut self.judging else { return Ok(false) };
+        self.keep(shot);
+        let judging = self.judging.get_or_insert_with(|| Judging::new(shot.clone(), distance));
         judging.advance(context, stage, &tree)
     }
 
-    /// The triangles of a scene at a time; `None` while they are sorted.
+    /// The triangles of a scene at a time; `None` while they are sorted. One world is sorted at a time.
     fn tree_of(
         &mut self,
         context: &egui::Context,
@@ -133,23 +130,25 @@ impl Overlay {
         world: u64,
         seconds: f32,
     ) -> Result<Option<Arc<World>>, RenderError> {
-        if let Some((_, _, tree)) = self.tree.as_ref().filter(|(of, at, _)| (*of, *at) == (world, seconds)) {
+        if let Some((of, at, task)) = &self.growing {
+            let Some(grown) = task.poll() else { return Ok(None) };
+            let (of, at) = (*of, *at);
             self.growing = None;
+            let tree = grown.and_then(|tree| tree).map_err(RenderError::Device)?;
+            self.tree = Some((of, at, Arc::new(tree)));
+        }
+        // Where nothing moves, one tree is that of all times.
+        let moves = scene.instances.iter().any(Instance::is_dynamic);
+        let key = (world, if moves { seconds } else { 0.0 });
+        if let Some((_, _, tree)) = self.tree.as_ref().filter(|(of, at, _)| (*of, *at) == key) {
             return Ok(Some(Arc::clone(tree)));
         }
-        if self.growing.as_ref().is_none_or(|(of, at, _)| (*of, *at) != (world, seconds)) {
-            let scene = Arc::clone(scene);
-            let what = format!("sorting {} triangles for rays", scene.triangles());
-            let task = Task::sort(what, context, move || Triangles::of(&scene, seconds));
-            self.growing = Some((world, seconds, task));
-            self.judging = None;
-            return Ok(None);
-        }
-        let Some(grown) = self.growing.as_ref().and_then(|(_, _, task)| task.poll()) else { return Ok(None) };
-        self.growing = None;
-        let tree = Arc::new(grown.map_err(RenderError::Device)?);
-        self.tree = Some((world, seconds, Arc::clone(&tree)));
-        Ok(Some(tree))
+        let scene = Arc::clone(scene);
+        let what = format!("sorting {} triangles for rays", scene.triangles());
+        let task = Sorting::sort(what, context, move || Triangles::of(&scene, seconds));
+        self.growing = Some((key.0, key.1, task));
+        self.judging = None;
+        Ok(None)
     }
 }
 
@@ -231,8 +230,8 @@ impl Judging {
                 let image = painted(tile, progress, &claims);
                 let corner = [tile.x as usize, tile.y as usize];
                 self.pictures[side].set_partial(corner, image, egui::TextureOptions::NEAREST);
+                self.figures[side].tally += progress.tally_of(tile, &claims);
             }
-            self.figures[side].tally = progress.tally(&claims);
         }
     }
 

@@ -33,6 +33,10 @@ pub fn show(viewer: &mut Viewer, ui: &mut egui::Ui) {
     let drawn = if viewer.lost().is_none() { draw(viewer, ui, rect) } else { Ok(()) };
     if let Err(why) = drawn {
         viewer.is_tracing = false;
+        if let Some(choices) = &mut viewer.choices {
+            // Not again with every frame.
+            choices.overlay = false;
+        }
         viewer.say(format!("this cannot be drawn: {why}"));
     }
     paint(viewer, ui, rect);
@@ -61,13 +65,7 @@ fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderErro
     }
     if !choices.overlay || choices.frozen.is_some() {
         viewer.is_tracing = false;
-        viewer.overlay.rest();
-        return Ok(());
-    }
-    // While the picture changes, nothing is traced: it would slow it, and be thrown away.
-    if drawn {
         viewer.overlay.stop();
-        viewer.is_tracing = true;
         return Ok(());
     }
     let shot = overlay::Shot {
@@ -76,6 +74,12 @@ fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderErro
         frames: vec![frame; stage.sides()],
         version: viewer.version,
     };
+    // While the picture changes, nothing is traced: it would slow it, and be thrown away.
+    if drawn {
+        viewer.overlay.keep(&shot);
+        viewer.is_tracing = true;
+        return Ok(());
+    }
     // As far as both sides have shadows: what one leaves out is not the other's fault.
     let ends = (0..stage.sides()).filter_map(|side| stage.plan(side)?.splits().last().copied());
     let distance = ends.fold(f64::INFINITY, f64::min);
@@ -167,7 +171,9 @@ fn divider(viewer: &mut Viewer, ui: &mut egui::Ui, rect: Rect) {
     if let Some(Pos2 { x, .. }) = response.interact_pointer_pos().filter(|_| response.dragged()) {
         choices.divider = ((x - rect.left()) / rect.width().max(1.0)).clamp(0.02, 0.98);
     }
-    let response = response.on_hover_cursor(egui::CursorIcon::ResizeHorizontal);
+    let response = response
+        .on_hover_cursor(egui::CursorIcon::ResizeHorizontal)
+        .on_hover_text("Drag: more of the left side, or of the right one.");
     let colour = if response.hovered() { Color32::WHITE } else { Color32::from_white_alpha(160) };
     ui.painter().vline(x, rect.y_range(), Stroke::new(2.0, colour));
     ui.painter().circle(pos2(x, rect.center().y), GRIP, colour, Stroke::new(1.0, Color32::BLACK));
@@ -175,9 +181,10 @@ fn divider(viewer: &mut Viewer, ui: &mut egui::Ui, rect: Rect) {
 
 /// What people should read, and what is under way, over the picture.
 fn messages(viewer: &mut Viewer, ui: &mut egui::Ui, rect: Rect) {
+    let traces = viewer.choices.as_ref().is_some_and(|choices| choices.overlay);
     let under_way = [
         viewer.loading.as_ref().map(|task| task.what.clone()),
-        viewer.overlay.waits_for().map(str::to_owned),
+        viewer.overlay.waits_for().filter(|_| traces).map(str::to_owned),
     ];
     let under_way: Vec<String> = under_way.into_iter().flatten().collect();
     if viewer.messages.is_empty() && under_way.is_empty() {
@@ -194,19 +201,31 @@ fn messages(viewer: &mut Viewer, ui: &mut egui::Ui, rect: Rect) {
                 });
             });
         }
-        let mut closed = None;
-        for (i, message) in viewer.messages.iter().enumerate() {
-            egui::Frame::popup(ui.style()).show(ui, |ui| {
-                ui.horizontal_wrapped(|ui| {
-                    ui.label(message);
-                    if ui.button("close").on_hover_text("Closes this message.").clicked() {
-                        closed = Some(i);
-                    }
-                });
-            });
-        }
-        closed.into_iter().for_each(|i| drop(viewer.messages.remove(i)));
+        // Many are scrolled, so that the picture is still seen.
+        let most = 0.5 * rect.height();
+        let area = egui::ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+        area.show(ui, |ui| said(viewer, ui));
     });
+}
+
+fn said(viewer: &mut Viewer, ui: &mut egui::Ui) {
+    let mut closed = None;
+    for (i, message) in viewer.messages.iter().enumerate() {
+        egui::Frame::popup(ui.style()).show(ui, |ui| {
+            ui.horizontal_wrapped(|ui| {
+                ui.label(message);
+                if ui.button("close").on_hover_text("Closes this message.").clicked() {
+                    closed = Some(i);
+                }
+            });
+        });
+    }
+    let several = viewer.messages.len() > 2;
+    if several && ui.button("close all").on_hover_text("Closes all messages.").clicked() {
+        viewer.messages.clear();
+        return;
+    }
+    closed.into_iter().for_each(|i| drop(viewer.messages.remove(i)));
 }
 
 #[cfg(test)]

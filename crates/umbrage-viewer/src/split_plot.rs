@@ -10,14 +10,19 @@ use crate::colours::of_split;
 /// Height of the plot, points.
 const HEIGHT: f32 = 96.0;
 
-/// Shows cuts C_0 … C_m, metres, and gives another λ where the handle was dragged.
-pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: f32) -> Option<f32> {
+const HELP: &str = "Where the view is cut. Above, distances as they are; below, their logarithms.";
+
+/// Shows cuts C_0 … C_m, metres, and gives another λ where the handle was dragged. Where λ cuts nothing there is no handle.
+pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: Option<f32>) -> Option<f32> {
     let (Some(&near), Some(&far)) = (cuts.first(), cuts.last()) else { return None };
     let size = Vec2::new(ui.available_width().max(120.0), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click_and_drag());
     let names: Vec<String> = cuts.iter().map(|cut| format!("{cut:.1}")).collect();
-    let words = format!("cuts at {} m, λ {lambda:.2}", names.join(", "));
-    response.widget_info(|| egui::WidgetInfo::slider(true, f64::from(lambda), &words));
+    let words = format!("cuts at {} m", names.join(", "));
+    response.widget_info(|| match lambda {
+        Some(lambda) => egui::WidgetInfo::slider(true, f64::from(lambda), format!("{words}, λ {lambda:.2}")),
+        None => egui::WidgetInfo::labeled(egui::Role::Image, true, &words),
+    });
     let painter = ui.painter_at(rect);
     let inner = rect.shrink2(Vec2::new(10.0, 18.0));
     let linear = |cut: f64| inner.left() + inner.width() * linear_place(cut, near, far) as f32;
@@ -39,26 +44,23 @@ pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: f32) -> Option<f32> {
         painter.line_segment([pos2(linear(*cut), inner.top()), pos2(logarithmic(*cut), inner.bottom())], ink);
     }
     labels(ui, &painter, inner, near, far);
-    let handle = pos2(inner.right() - inner.width() * 0.02, inner.bottom() - inner.height() * (1.0 - lambda));
-    painter.circle(
-        handle,
-        6.0,
-        ui.visuals().strong_text_color(),
-        Stroke::new(1.0, ui.visuals().extreme_bg_color),
-    );
-    painter.text(
-        handle - Vec2::new(10.0, 0.0),
-        egui::Align2::RIGHT_CENTER,
-        format!("λ {lambda:.2}"),
-        font(ui),
-        ui.visuals().strong_text_color(),
-    );
+    let Some(lambda) = lambda else {
+        response.on_hover_text(format!("{HELP} λ cuts where the scheme is `practical`."));
+        return None;
+    };
+    handle(ui, &painter, inner, lambda);
     let dragged = response.dragged() || response.clicked();
     let pointer = response.interact_pointer_pos();
-    response.on_hover_text(
-        "Where the view is cut. Above, distances as they are; below, their logarithms. λ = 0 cuts evenly above, λ = 1 evenly below. Drag up and down to change λ.\n\nZhang et al. 2006, eqs. 4 to 6",
-    );
+    response.on_hover_text(format!("{HELP} λ = 0 cuts evenly above, λ = 1 evenly below. Drag up and down to change λ.\n\nZhang et al. 2006, eqs. 4 to 6"));
     pointer.filter(|_| dragged).map(|at| lambda_at(at, inner)).filter(|new| *new != lambda)
+}
+
+fn handle(ui: &egui::Ui, painter: &egui::Painter, inner: Rect, lambda: f32) {
+    let place = pos2(inner.right() - inner.width() * 0.02, inner.bottom() - inner.height() * (1.0 - lambda));
+    let (ink, paper) = (ui.visuals().strong_text_color(), ui.visuals().extreme_bg_color);
+    painter.circle(place, 6.0, ink, Stroke::new(1.0, paper));
+    let words = format!("λ {lambda:.2}");
+    painter.text(place - Vec2::new(10.0, 0.0), egui::Align2::RIGHT_CENTER, words, font(ui), ink);
 }
 
 fn lambda_at(at: Pos2, inner: Rect) -> f32 {

@@ -1,5 +1,5 @@
 //! Work that a window does not wait for: on a thread of its own, or in a page on the page's own time, after what says that
-//! it goes on was shown.
+//! it goes on was shown. Triangles are sorted on another thread in a page too.
 
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
@@ -65,21 +65,24 @@ impl<T: 'static> Task<T> {
     }
 }
 
-impl Task<World> {
+/// Triangles that are being sorted. It fails where what sorts dies of it.
+pub type Sorting = Task<Result<World, String>>;
+
+impl Sorting {
     /// Builds the tree over triangles: on a thread of its own, in a page too.
     pub fn sort(
         what: impl Into<String>,
         context: &egui::Context,
-        triangles: impl FnOnce() -> Triangles + Send + 'static,
+        triangles: impl Fn() -> Triangles + Send + 'static,
     ) -> Self {
         Self::wait_for(what, context, async move {
             #[cfg(target_arch = "wasm32")]
             {
                 crate::web::next_moment().await;
-                crate::web::sorted(triangles()).await
+                crate::web::sorted(triangles).await
             }
             #[cfg(not(target_arch = "wasm32"))]
-            World::sorted(triangles())
+            Ok(World::sorted(triangles()))
         })
     }
 }

@@ -4,7 +4,7 @@ use eframe::egui;
 use umbrage_scene::worlds;
 
 use crate::app::Viewer;
-use crate::load::{MOST_BYTES, Source};
+use crate::load::{self, Source};
 use crate::take::{self, Cell};
 use crate::task::Task;
 use crate::{edit, input, rust_text};
@@ -31,8 +31,10 @@ impl Viewer {
             ui.separator();
             if let Some(stage) = &self.stage {
                 let scene = stage.scene();
-                ui.label(format!("{}: {} triangles", scene.name, scene.triangles()));
-                ui.weak(self.gpu.adapter.to_string());
+                // Cut short rather than wider than the window.
+                let triangles = format!("{}: {} triangles", scene.name, scene.triangles());
+                ui.add(egui::Label::new(triangles).truncate());
+                ui.add(egui::Label::new(egui::RichText::new(self.gpu.adapter.to_string()).weak()).truncate());
             }
         });
     }
@@ -143,7 +145,10 @@ impl Viewer {
             std::thread::spawn(move || {
                 let dialog = rfd::AsyncFileDialog::new().add_filter("pages", &["html"]);
                 if let Some(file) = pollster::block_on(dialog.pick_file()) {
-                    context.open_url(egui::OpenUrl::new_tab(format!("file://{}", file.path().display())));
+                    // It says nothing of relative paths, and a dialog gives none.
+                    if let Ok(url) = url::Url::from_file_path(file.path()) {
+                        context.open_url(egui::OpenUrl::new_tab(url));
+                    }
                 }
             });
             ui.close();
@@ -183,15 +188,17 @@ fn pick(context: &egui::Context) -> Task<Option<Source>> {
     Task::wait_for("choosing a file", context, async move {
         let file = dialog.pick_file().await?;
         #[cfg(not(target_arch = "wasm32"))]
-        if crate::load::extension(file.path()) != "toml" {
-            return Some(crate::load::of_path(file.path().to_owned()));
+        if load::extension(file.path()) != "toml" {
+            return Some(load::of_path(file.path().to_owned()));
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        let size = file.path().metadata().map_or(0, |about| about.len());
+        #[cfg(target_arch = "wasm32")]
+        let size = file.inner().size() as u64;
+        if let Some(refused) = load::too_large(&file.file_name(), size) {
+            return Some(refused);
         }
         let bytes = file.read().await;
-        if bytes.len() as u64 > MOST_BYTES {
-            // An empty file is refused with its name.
-            let name = format!("{} (too large: at most 512 MiB)", file.file_name());
-            return Some(Source::Bytes { name, bytes: Vec::new() });
-        }
         Some(Source::Bytes { name: file.file_name(), bytes })
     })
 }

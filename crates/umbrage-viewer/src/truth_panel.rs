@@ -46,6 +46,12 @@ impl Viewer {
         };
         let percent = |share: f64| format!("{:.3} %", share * 100.0);
         egui::Grid::new("figures").striped(true).show(ui, |ui| {
+            if sides.len() > 1 {
+                ui.label("");
+                ui.label("left");
+                ui.label("right");
+                ui.end_row();
+            }
             row(ui, "false shadow", "Of judged pixels: shadowed, and should be lit.", &|f| {
                 percent(f.tally.false_shadow_share())
             });

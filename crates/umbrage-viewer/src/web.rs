@@ -14,7 +14,7 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::js_sys;
 
 use crate::app::{Start, Viewer};
-use crate::load::{MOST_BYTES, Source};
+use crate::load::{Source, too_large};
 use crate::probe::Probe;
 use crate::task::Task;
 
@@ -156,12 +156,8 @@ pub fn read(context: &egui::Context, file: egui::DroppedFileHandle) -> Task<Opti
     Task::wait_for("reading the file", context, async move {
         let name = file.path().to_string_lossy().into_owned();
         let size = file.web_file().map_or(0.0, |file| file.size());
-        if size > MOST_BYTES as f64 {
-            // An empty file is refused with its name.
-            return Some(Source::Bytes {
-                name: format!("{name} (too large: {:.0} MiB, at most 512)", size / f64::from(1 << 20)),
-                bytes: Vec::new(),
-            });
+        if let Some(refused) = too_large(&name, size as u64) {
+            return Some(refused);
         }
         let bytes = file.bytes_async().await.unwrap_or_default();
         Some(Source::Bytes { name, bytes })

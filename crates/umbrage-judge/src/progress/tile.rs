@@ -30,7 +30,7 @@ pub struct Tile {
 
 impl Tile {
     /// The pixels that are traced with this tile, as x and y. Those of passes before are not among them.
-    pub fn samples(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
+    pub fn samples(&self) -> impl Iterator<Item = (u32, u32)> + Clone + use<> {
         let Self { x, y, width, height, step } = *self;
         let is_new = move |x: u32, y: u32| step == COARSEST || (x | y) & step != 0;
         let row = move |y: u32| (x..x + width).step_by(step as usize).map(move |x| (x, y));

@@ -22,42 +22,52 @@ pub fn sort(triangles: &[u8]) -> Result<Vec<u8>, String> {
 }
 
 /// The triangles with their tree. Where the browser starts no worker, the page stands still meanwhile.
-pub async fn sorted(triangles: Triangles) -> World {
-    match sorted_elsewhere(&triangles).await {
-        Ok(world) => world,
+///
+/// # Errors
+/// When the worker dies of it, as of too many triangles: the page would, too.
+pub async fn sorted(triangles: impl Fn() -> Triangles) -> Result<World, String> {
+    // Only their bytes are kept while the worker is busy.
+    let bytes = Uint8Array::from(triangles().to_bytes().as_slice());
+    match answered(&bytes).await {
+        Ok(answer) => match answer.dyn_into::<Uint8Array>() {
+            Ok(world) => {
+                World::from_bytes(&world.to_vec()).ok_or_else(|| "the worker's answer is no world".into())
+            }
+            Err(words) => {
+                Err(format!("triangles were not sorted: {}", words.as_string().unwrap_or_default()))
+            }
+        },
         Err(why) => {
             web_sys::console::warn_2(&"triangles are sorted by the page itself:".into(), &why);
-            World::sorted(triangles)
+            Ok(World::sorted(triangles()))
         }
     }
 }
 
-async fn sorted_elsewhere(triangles: &Triangles) -> Result<World, JsValue> {
+/// What a new worker answers; an error where there is none to answer.
+async fn answered(triangles: &Uint8Array) -> Result<JsValue, JsValue> {
     let options = web_sys::WorkerOptions::new();
     options.set_type(web_sys::WorkerType::Module);
     let worker = Ending(web_sys::Worker::new_with_options(SCRIPT, &options)?);
-    let bytes = Uint8Array::from(triangles.to_bytes().as_slice());
     let message = Object::new();
     Reflect::set(&message, &"module".into(), &wasm_bindgen::module())?;
-    Reflect::set(&message, &"triangles".into(), &bytes)?;
+    Reflect::set(&message, &"triangles".into(), triangles)?;
     let mut posted = Ok(());
     let answer = Promise::new(&mut |resolve, reject| {
+        // A promise takes any value.
         let answered = Closure::once_into_js(move |event: web_sys::MessageEvent| {
-            // A promise takes any value.
             let _ = resolve.call1(&JsValue::NULL, &event.data());
         });
         let failed = Closure::once_into_js(move |event: web_sys::Event| {
             let _ = reject.call1(&JsValue::NULL, &event);
         });
-        worker.0.set_onmessage(Some(answered.as_ref().unchecked_ref()));
-        worker.0.set_onerror(Some(failed.as_ref().unchecked_ref()));
-        posted = worker.0.post_message_with_transfer(&message, &Array::of1(&bytes.buffer()));
+        worker.0.set_onmessage(Some(answered.unchecked_ref()));
+        worker.0.set_onmessageerror(Some(failed.unchecked_ref()));
+        worker.0.set_onerror(Some(failed.unchecked_ref()));
+        posted = worker.0.post_message_with_transfer(&message, &Array::of1(&triangles.buffer()));
     });
     posted?;
-    let answer = JsFuture::from(answer).await?;
-    // Words say what went wrong there.
-    let bytes: Uint8Array = answer.dyn_into()?;
-    World::from_bytes(&bytes.to_vec()).ok_or_else(|| "what the worker answers is no world".into())
+    JsFuture::from(answer).await
 }
 
 /// A worker that ends when nobody waits for it.

@@ -140,6 +140,17 @@ async function fingers(first) {
   check(differing(first, await look("web-camera-1")) === 0, "and a key brings the world's camera back");
 }
 
+/** A phone held upright: the panels are below the picture. */
+async function narrow(first) {
+  await page.resize(390, 844);
+  await page.wait(1000);
+  const { width, height } = await look("web-narrow");
+  check(width > 380 && height > 350, `on a page of 390 x 844 the picture has ${width} x ${height}`);
+  await page.resize(1180, 760);
+  await page.wait(1000);
+  check(differing(first, await look("web-wide")) === 0, "and is as it was on a wide one");
+}
+
 async function truth() {
   await click("show what is wrong");
   const judged = await until("the truth", (now) => now.judged > 10_000 && now.atRest);
@@ -221,6 +232,8 @@ async function main() {
   await slider(first);
   console.log("fingers");
   await fingers(first);
+  console.log("a narrow page");
+  await narrow(first);
   console.log("what is wrong");
   await truth();
   console.log("a lost device");
