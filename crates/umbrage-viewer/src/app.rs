@@ -284,7 +284,10 @@ impl Viewer {
             Wish::Camera(i) => self.go_to_camera(i),
             Wish::Motion => choices.flight.motion = input::other(choices.flight.motion),
             Wish::Play => choices.playing ^= true,
-            Wish::Path => choices.path = if choices.path.is_none() { Some(0.0) } else { None },
+            Wish::Path => {
+                choices.path = if choices.path.is_none() { Some(0.0) } else { None };
+                choices.held = false;
+            }
             Wish::Freeze => {
                 choices.frozen = if choices.frozen.is_none() { Some(choices.camera()) } else { None }
             }
@@ -324,13 +327,13 @@ impl Viewer {
         if let (Some(along), Some(stage)) = (choices.path, &self.stage) {
             /// How long a flight along a world's path takes, seconds.
             const FLIGHT: f32 = 20.0;
-            let along = (along + seconds / FLIGHT).fract();
+            let along = if choices.held { along } else { (along + seconds / FLIGHT).fract() };
             choices.path = Some(along);
             match stage.scene().path.world_from_camera(along) {
                 Some(world_from_camera) => choices.flight.follow(world_from_camera),
                 None => choices.path = None,
             }
-            moves = true;
+            moves |= choices.flies();
         }
         moves
     }

@@ -62,6 +62,8 @@ pub struct Choices {
     pub playing: bool,
     /// How far along the world's path the camera flies, 0 to 1, where it does.
     pub path: Option<f32>,
+    /// Whether it stays where it is on the path.
+    pub held: bool,
     /// Whether edges are smooth: four samples a pixel.
     pub smooth: bool,
     /// From where.
@@ -91,6 +93,7 @@ impl Choices {
             seconds: 0.0,
             playing: false,
             path: None,
+            held: false,
             smooth: true,
             flight: flight(scene, camera),
             panels: true,
@@ -116,6 +119,11 @@ impl Choices {
             sun.world_from_light = Light::sun(sky::sunlight(hour), 1.0).world_from_light;
         }
         lights
+    }
+
+    /// Whether the camera flies along the path.
+    pub fn flies(&self) -> bool {
+        self.path.is_some() && !self.held
     }
 
     /// From where the picture is seen.

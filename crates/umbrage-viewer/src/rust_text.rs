@@ -109,9 +109,46 @@ fn path(field: &str, is_msm: bool) -> String {
 
 #[cfg(test)]
 mod tests {
+    use umbrage::schema::{self, Values};
     use umbrage::{Filter, Scheme, Warp};
 
     use super::*;
+    use crate::edit;
+
+    /// Words after `umbrage::` are a type, and what follows is its variant or its fields.
+    fn bare_variant(text: &str) -> Option<&str> {
+        let mut words = text.split("umbrage::").skip(1);
+        words.find(|rest| {
+            let end = rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len());
+            !rest[end..].starts_with("::") && !rest[end..].starts_with(" {")
+        })
+    }
+
+    #[test]
+    fn every_choice_is_copied_with_its_type() {
+        let mut copied = 0;
+        for key in schema::keys() {
+            let Values::Choice(choices) = key.values else { continue };
+            let kinds = if key.kinds.is_empty() { &[""][..] } else { key.kinds };
+            for (kind, choice) in
+                kinds.iter().flat_map(|kind| choices.iter().map(move |choice| (kind, choice)))
+            {
+                let group = key.name.split('.').next().unwrap_or_default();
+                let kind_key = schema::key(&format!("{group}.kind")).filter(|_| !kind.is_empty());
+                let settings = Settings::default();
+                let settings = kind_key
+                    .map_or(Ok(settings.clone()), |of| edit::with(&settings, of, Some((*kind).into())));
+                let settings = settings.expect("a kind");
+                // Some exclude others; those are refused.
+                let Ok(settings) = edit::with(&settings, key, Some(choice.name.into())) else { continue };
+                let text = rust(&settings);
+                assert_eq!(bare_variant(&text), None, "{} = {}: {text}", key.name, choice.name);
+                copied += 1;
+            }
+        }
+        assert!(copied > 40, "{copied} choices");
+        assert!(bare_variant("umbrage::Second, x").is_some(), "a variant without its type is found");
+    }
 
     #[test]
     fn the_default_needs_no_field() {

@@ -66,10 +66,9 @@ impl Viewer {
     }
 
     fn camera_menu(&mut self, ui: &mut egui::Ui) {
-        let names: Vec<String> = match &self.stage {
-            Some(stage) => stage.scene().cameras.iter().map(|camera| camera.name.clone()).collect(),
-            None => return,
-        };
+        let Some(stage) = &self.stage else { return };
+        let names: Vec<String> = stage.scene().cameras.iter().map(|camera| camera.name.clone()).collect();
+        let has_path = !stage.scene().path.keys.is_empty();
         for (i, name) in names.iter().enumerate() {
             if ui
                 .button(format!("{} {name}", i + 1))
@@ -90,10 +89,12 @@ impl Viewer {
         }
         let mut follows = choices.path.is_some();
         let path = ui
-            .checkbox(&mut follows, "fly along the path")
-            .on_hover_text("The world's own flight, again and again (P).");
+            .add_enabled(has_path, egui::Checkbox::new(&mut follows, "fly along the path"))
+            .on_hover_text("The world's own flight, again and again (P).")
+            .on_disabled_hover_text("This world has no path.");
         if path.changed() {
             choices.path = follows.then_some(0.0);
+            choices.held = false;
         }
     }
 

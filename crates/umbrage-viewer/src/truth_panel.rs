@@ -15,7 +15,7 @@ impl Viewer {
         if choices.overlay {
             if choices.frozen.is_some() {
                 ui.weak("not judged while the planned camera is frozen");
-            } else if choices.playing || choices.path.is_some() {
+            } else if choices.playing || choices.flies() {
                 ui.weak("stop what moves to have it judged");
             } else {
                 self.figures_table(ui);

@@ -110,9 +110,9 @@ fn every_choice_says_what_it_does_and_every_number_its_range() {
     }
 }
 
-#[test]
-fn every_widget_of_the_whole_window_has_a_name() {
-    let start = Start::new(Source::Named("primitives".to_owned()), Settings::default());
+/// The whole program with a world in it, without a window.
+fn whole(world: &str) -> Harness<'static, Viewer> {
+    let start = Start::new(Source::Named(world.to_owned()), Settings::default());
     let mut harness = Harness::builder()
         .with_size(Vec2::new(1100.0, 1400.0))
         .with_max_steps(16)
@@ -125,12 +125,48 @@ fn every_widget_of_the_whole_window_has_a_name() {
         }
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
-    assert_eq!(harness.state().world_name(), "primitives");
-    harness.state_mut().choices().expect("a world").help = true;
-    harness.state_mut().choices().expect("a world").maps = true;
+    assert_eq!(harness.state().world_name(), world);
+    harness
+}
+
+#[test]
+fn every_widget_of_the_whole_window_has_a_name() {
+    let mut harness = whole("primitives");
+    let choices = harness.state_mut().choices().expect("a world");
+    (choices.help, choices.maps, choices.path, choices.compare) = (true, true, Some(0.5), true);
     harness.run_steps(4);
     harness.check_accessibility();
-    for name in ["World", "Camera", "Take", "Keys", "time of day", "show what is wrong", "the picture"] {
+    for name in [
+        "World",
+        "Camera",
+        "Take",
+        "Keys",
+        "time of day",
+        "show what is wrong",
+        "the picture",
+        "along the path",
+        "hold",
+    ] {
         assert!(harness.query_all_by_label(name).count() > 0, "{name}");
     }
+}
+
+#[test]
+fn a_flight_along_the_path_is_held_and_goes_on() {
+    let mut harness = whole("primitives");
+    let eye =
+        |harness: &mut Harness<'_, Viewer>| harness.state_mut().choices().expect("a world").camera().eye();
+    let start = eye(&mut harness);
+    harness.state_mut().choices().expect("a world").path = Some(0.4);
+    harness.run_steps(3);
+    let flown = eye(&mut harness);
+    assert!(flown.distance(start) > 0.1, "it flies: {start}, {flown}");
+    harness.get_by_label("hold").click();
+    harness.run_steps(6);
+    let held = eye(&mut harness);
+    harness.run_steps(3);
+    assert_eq!(eye(&mut harness), held, "it is held");
+    harness.get_by_label("hold").click();
+    harness.run_steps(6);
+    assert!(eye(&mut harness).distance(held) > 1e-3, "it goes on");
 }
