@@ -46,10 +46,12 @@ fn paint(@builtin(global_invocation_id) id: vec3u) {
     }
     let place = (vec2f(id.xy) + 0.5) / f32(look.side) * umbrage_frame.views[look.view].tile_size;
     var grey = depth_at(vec2u(place));
-    if look.stretch == 1u {
-        let nearest = bitcast<f32>(atomicLoad(&drawn[0]));
-        let farthest = bitcast<f32>(atomicLoad(&drawn[1]));
-        grey = clamp((grey - nearest) / max(farthest - nearest, 1e-9), 0.0, 1.0);
+    let nearest = atomicLoad(&drawn[0]);
+    let farthest = atomicLoad(&drawn[1]);
+    // An empty map is far all over.
+    if look.stretch == 1u && nearest <= farthest {
+        let range = max(bitcast<f32>(farthest) - bitcast<f32>(nearest), 1e-9);
+        grey = clamp((grey - bitcast<f32>(nearest)) / range, 0.0, 1.0);
     }
     textureStore(picture, id.xy, vec4f(vec3f(select(grey, 1.0 - grey, look.invert == 1u)), 1.0));
 }

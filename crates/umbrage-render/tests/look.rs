@@ -66,6 +66,12 @@ fn a_map_picture_is_what_the_map_holds() {
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let nothing = renderer.map_picture(0, MapLook::default(), 16).map(drop).expect_err("nothing was drawn");
     assert!(nothing.to_string().contains("view 0"), "{nothing}");
+    let sky = Camera::looking("c", Vec3::new(0.0, 90.0, 0.0), Vec3::new(1.0, 200.0, 0.0), 1.0, 0.5, 50.0);
+    let sky = umbrage_render::camera(&sky, 160.0 / 96.0).expect("a camera");
+    renderer.render(&Frame { camera: sky, ..frame(&scene, Show::World) }).expect("a frame");
+    let look = MapLook { stretch: true, ..MapLook::default() };
+    let empty = read(&gpu, &renderer.map_picture(0, look, 16).expect("a picture"));
+    assert!(empty.rgba.iter().all(|grey| *grey == 255), "an empty map is far all over");
 }
 
 #[test]

@@ -348,6 +348,11 @@ impl eframe::App for Viewer {
         }
     }
 
+    /// That of the panels, which have no ground of their own: see `layout.rs`.
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         for wish in input::wishes(ui.ctx()) {
             self.grant(wish);

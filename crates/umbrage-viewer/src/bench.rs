@@ -62,6 +62,10 @@ struct Flown {
 }
 
 impl eframe::App for Flown {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        self.viewer.borrow().clear_color(visuals)
+    }
+
     fn logic(&mut self, context: &egui::Context, frame: &mut eframe::Frame) {
         self.viewer.borrow_mut().logic(context, frame);
     }

@@ -14,23 +14,28 @@ const PICTURE: f32 = 240.0;
 impl Viewer {
     /// Panels beside the picture; below it where there is no room for that, as on a phone.
     pub(crate) fn panels(&mut self, ui: &mut egui::Ui) {
-        egui::Panel::top("bar").show(ui, |ui| self.top_bar(ui));
+        // The window is cleared to their colour already, and a software adapter is spared to fill them.
+        let side = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::TRANSPARENT);
+        egui::Panel::top("bar").frame(side).show(ui, |ui| self.top_bar(ui));
         let scrolled = || egui::ScrollArea::vertical().auto_shrink(false);
         if ui.available_width() < SEEN + PICTURE + SETTINGS {
             let height = 0.45 * ui.available_height();
-            egui::Panel::bottom("all panels").resizable(true).default_size(height).show(ui, |ui| {
-                scrolled().show(ui, |ui| {
-                    self.seen_panels(ui);
-                    ui.separator();
-                    self.settings_panels(ui);
-                });
-            });
+            egui::Panel::bottom("all panels").resizable(true).default_size(height).frame(side).show(
+                ui,
+                |ui| {
+                    scrolled().show(ui, |ui| {
+                        self.seen_panels(ui);
+                        ui.separator();
+                        self.settings_panels(ui);
+                    });
+                },
+            );
             return;
         }
-        egui::Panel::left("what is seen").default_size(SEEN).show(ui, |ui| {
+        egui::Panel::left("what is seen").default_size(SEEN).frame(side).show(ui, |ui| {
             scrolled().show(ui, |ui| self.seen_panels(ui));
         });
-        egui::Panel::right("settings").default_size(SETTINGS).show(ui, |ui| {
+        egui::Panel::right("settings").default_size(SETTINGS).frame(side).show(ui, |ui| {
             scrolled().show(ui, |ui| self.settings_panels(ui));
         });
     }

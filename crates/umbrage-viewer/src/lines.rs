@@ -127,6 +127,18 @@ mod tests {
     }
 
     #[test]
+    fn a_lamps_slices_are_the_depths_that_its_maps_serve() {
+        let bounds = Bounds::of_world(Vec3::new(-30.0, 0.0, -30.0), Vec3::new(30.0, 4.0, 30.0));
+        let slices = |lamp: Light| {
+            let settings = Settings { spot_splits: 2, ..Settings::default() };
+            let plan = umbrage::plan(&camera(), &[lamp], &bounds, &settings).unwrap();
+            of_plan(&plan, Chosen { slices: true, ..Chosen::default() }, 100.0).len()
+        };
+        assert_eq!(slices(Light::spot(Vec3::Y * 9.0, Vec3::NEG_Y, 0.6, 50.0).unwrap()), 2 * 12);
+        assert_eq!(slices(Light::point(Vec3::Y * 9.0, 50.0).unwrap()), 12, "six faces, one slice");
+    }
+
+    #[test]
     fn a_volumes_lines_lie_in_the_volume() {
         let plan = plan();
         for (split, line) in of_plan(&plan, Chosen { casters: true, ..Chosen::default() }, 100.0) {

@@ -60,6 +60,10 @@ pub fn run_wrapped(start: Start, options: &Options, wrap: &Wrap<'_>) -> Result<(
 struct Held(Rc<RefCell<Viewer>>);
 
 impl eframe::App for Held {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        self.0.borrow().clear_color(visuals)
+    }
+
     fn logic(&mut self, context: &egui::Context, frame: &mut eframe::Frame) {
         self.0.borrow_mut().logic(context, frame);
     }

@@ -130,7 +130,9 @@ fn paint(viewer: &Viewer, ui: &egui::Ui, rect: Rect) {
         }
     }
     if choices.lines.any() {
-        paint_lines(choices, stage, &painter, rect);
+        // They are of the left side.
+        let left = rect.with_max_x(rect.left() + rect.width() * divider);
+        paint_lines(choices, stage, &ui.painter_at(left), rect);
     }
 }
 

@@ -93,6 +93,10 @@ fn options() -> eframe::WebOptions {
 struct Page(Rc<RefCell<Viewer>>, Option<Probe>);
 
 impl eframe::App for Page {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        self.0.borrow().clear_color(visuals)
+    }
+
     fn logic(&mut self, context: &egui::Context, frame: &mut eframe::Frame) {
         self.0.borrow_mut().logic(context, frame);
     }

@@ -284,6 +284,10 @@ fn resident() -> u64 {
 }
 
 impl eframe::App for Scripted {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        self.viewer.borrow().clear_color(visuals)
+    }
+
     fn raw_input_hook(&mut self, _context: &egui::Context, input: &mut egui::RawInput) {
         // A person's pointer does one thing a frame.
         input.events.retain(|event| {
