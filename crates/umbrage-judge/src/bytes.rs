@@ -18,7 +18,7 @@ const NODE: usize = size_of::<Bvh2Node>();
 impl Triangles {
     /// As bytes, for [`Self::from_bytes`].
     pub fn to_bytes(&self) -> Vec<u8> {
-        joined(&self.corners, &self.still, None)
+        joined(self, None)
     }
 
     /// What [`Self::to_bytes`] made; `None` for anything else.
@@ -31,28 +31,24 @@ impl Triangles {
 impl World {
     /// As bytes, for [`Self::from_bytes`].
     pub fn to_bytes(&self) -> Vec<u8> {
-        joined(&self.triangles, &self.still, self.tree.as_ref())
+        joined(&self.triangles, self.tree.as_ref())
     }
 
     /// What [`Self::to_bytes`] made; `None` for anything else.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (Triangles { corners: triangles, still }, tree) = parted(bytes)?;
+        let (triangles, tree) = parted(bytes)?;
+        let nodes = tree.as_ref().map_or(&[][..], |tree| &tree.nodes);
         let is_inside = |node: &Bvh2Node| {
-            let (first, count) = (node.first_index as usize, node.prim_count as usize);
-            let (end, all) = if node.is_leaf() {
-                (first + count, triangles.len())
-            } else {
-                (first + 2, tree.as_ref().map_or(0, |tree| tree.nodes.len()))
-            };
-            end <= all
+            let (count, all) =
+                if node.is_leaf() { (node.prim_count, triangles.corners.len()) } else { (2, nodes.len()) };
+            u64::from(node.first_index) + u64::from(count) <= all as u64
         };
-        let is_whole =
-            tree.is_some() != triangles.is_empty() && tree.iter().flat_map(|tree| &tree.nodes).all(is_inside);
-        is_whole.then_some(Self { triangles, still, tree })
+        let is_whole = nodes.is_empty() == triangles.corners.is_empty() && nodes.iter().all(is_inside);
+        is_whole.then_some(Self { triangles, tree })
     }
 }
 
-fn joined(corners: &[[Vec3; 3]], still: &[bool], tree: Option<&Bvh2>) -> Vec<u8> {
+fn joined(Triangles { corners, still }: &Triangles, tree: Option<&Bvh2>) -> Vec<u8> {
     let nodes = tree.map_or(&[][..], |tree| &tree.nodes);
     let header: Header =
         [corners.len(), nodes.len(), tree.map_or(0, |tree| tree.max_depth)].map(|count| count as u64);

@@ -15,16 +15,14 @@ use crate::Ray;
 /// All triangles of a scene, in world space, and a tree over them.
 pub struct World {
     /// In the order of the tree's leaves.
-    pub(crate) triangles: Vec<[Vec3; 3]>,
-    /// Of each triangle: whether it never moves.
-    pub(crate) still: Vec<bool>,
+    pub(crate) triangles: Triangles,
     /// `None` where there are no triangles.
     pub(crate) tree: Option<Bvh2>,
 }
 
 impl std::fmt::Debug for World {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("World").field("triangles", &self.triangles.len()).finish_non_exhaustive()
+        f.debug_struct("World").field("triangles", &self.triangles().len()).finish_non_exhaustive()
     }
 }
 
@@ -94,29 +92,29 @@ impl World {
     /// Triangles with the tree built over them, on all cores. Those with coordinates that are not finite are left out.
     pub fn sorted(Triangles { corners, still }: Triangles) -> Self {
         let is_finite = |triangle: &[Vec3; 3]| triangle.iter().all(|corner| corner.is_finite());
-        let (triangles, still): (Vec<_>, Vec<_>) =
+        let (corners, still): (Vec<_>, Vec<_>) =
             corners.into_iter().zip(still).filter(|(triangle, _)| is_finite(triangle)).unzip();
-        if triangles.is_empty() {
-            return Self { triangles, still, tree: None };
+        if corners.is_empty() {
+            return Self { triangles: Triangles::default(), tree: None };
         }
-        let largest = triangles.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f32::max);
+        let largest = corners.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f32::max);
         let margin = Vec3A::splat(largest.max(1.0) * MARGIN);
-        let leaves: Vec<Leaf<'_>> = triangles.iter().map(|triangle| Leaf { triangle, margin }).collect();
+        let leaves: Vec<Leaf<'_>> = corners.iter().map(|triangle| Leaf { triangle, margin }).collect();
         let mut tree = tree(&leaves);
         let order = std::mem::take(&mut tree.primitive_indices);
-        let triangles = order.iter().map(|i| triangles[*i as usize]).collect();
+        let corners = order.iter().map(|i| corners[*i as usize]).collect();
         let still = order.iter().map(|i| still[*i as usize]).collect();
-        Self { triangles, still, tree: Some(tree) }
+        Self { triangles: Triangles { corners, still }, tree: Some(tree) }
     }
 
     /// Whether a triangle never moves.
     pub fn is_still(&self, triangle: usize) -> bool {
-        self.still[triangle]
+        self.triangles.still[triangle]
     }
 
     /// Every triangle, in world space.
     pub fn triangles(&self) -> &[[Vec3; 3]] {
-        &self.triangles
+        &self.triangles.corners
     }
 
     /// The nearest triangle that a ray meets at a distance within `from` to `to`; not at `to` itself.
@@ -125,7 +123,7 @@ impl World {
         let walk = self.walk(ray, from, to)?;
         self.tree.as_ref()?.ray_traverse(walk, &mut RayHit::none(), |_, triangle| {
             let end = first.map_or(to, |hit| hit.distance);
-            match ray.hit(&self.triangles[triangle]).filter(|d| *d >= from && *d < end) {
+            match ray.hit(&self.triangles.corners[triangle]).filter(|d| *d >= from && *d < end) {
                 Some(distance) => {
                     first = Some(Hit { distance, triangle });
                     walked(distance)
@@ -142,15 +140,16 @@ impl World {
             return false;
         };
         !tree.ray_traverse_miss(walk, |_, triangle| {
-            let hit =
-                ray.hit(&self.triangles[triangle]).is_some_and(|distance| distance >= from && distance < to);
+            let hit = ray
+                .hit(&self.triangles.corners[triangle])
+                .is_some_and(|distance| distance >= from && distance < to);
             if hit { 0.0 } else { f32::INFINITY }
         })
     }
 
     /// The unit normal of a triangle, by its winding; zero for one without area.
     pub fn normal(&self, triangle: usize) -> DVec3 {
-        let [a, b, c] = self.triangles[triangle].map(Vec3::as_dvec3);
+        let [a, b, c] = self.triangles.corners[triangle].map(Vec3::as_dvec3);
         (b - a).cross(c - a).normalize_or_zero()
     }
 

@@ -8,7 +8,7 @@ use umbrage::Settings;
 use umbrage_render::{ComingPicture, Gpu, Show};
 use umbrage_scene::{Camera, Imported, Scene};
 
-use crate::choices::{Choices, Shown};
+use crate::choices::{Choices, OnPath, Shown};
 use crate::input::{self, Wish};
 use crate::load::Source;
 use crate::overlay::Overlay;
@@ -63,7 +63,7 @@ pub struct Viewer {
     /// Grows with each change of settings.
     pub(crate) version: u64,
     pub(crate) loading: Option<Loading>,
-    pub(crate) opening: Option<Task<Option<Source>>>,
+    pub(crate) opening: Option<Task<Result<Option<Source>, String>>>,
     pub(crate) saving: Option<ComingPicture>,
     pub(crate) overlay: Overlay,
     /// Whether there is more to trace.
@@ -284,10 +284,7 @@ impl Viewer {
             Wish::Camera(i) => self.go_to_camera(i),
             Wish::Motion => choices.flight.motion = input::other(choices.flight.motion),
             Wish::Play => choices.playing ^= true,
-            Wish::Path => {
-                choices.path = if choices.path.is_none() { Some(0.0) } else { None };
-                choices.held = false;
-            }
+            Wish::Path => choices.path = choices.path.is_none().then(OnPath::default),
             Wish::Freeze => {
                 choices.frozen = if choices.frozen.is_none() { Some(choices.camera()) } else { None }
             }
@@ -324,12 +321,13 @@ impl Viewer {
             choices.seconds += seconds;
             moves = true;
         }
-        if let (Some(along), Some(stage)) = (choices.path, &self.stage) {
+        if let (Some(path), Some(stage)) = (&mut choices.path, &self.stage) {
             /// How long a flight along a world's path takes, seconds.
             const FLIGHT: f32 = 20.0;
-            let along = if choices.held { along } else { (along + seconds / FLIGHT).fract() };
-            choices.path = Some(along);
-            match stage.scene().path.world_from_camera(along) {
+            if !path.held {
+                path.along = (path.along + seconds / FLIGHT).fract();
+            }
+            match stage.scene().path.world_from_camera(path.along) {
                 Some(world_from_camera) => choices.flight.follow(world_from_camera),
                 None => choices.path = None,
             }

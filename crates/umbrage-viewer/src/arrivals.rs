@@ -48,7 +48,7 @@ impl Viewer {
         }
         if let Some(Some(picked)) = self.opening.as_ref().map(Task::poll) {
             self.opening = None;
-            match picked {
+            match picked.and_then(|picked| picked) {
                 Ok(Some(Source::Bytes { name, bytes })) => self.open(context, &name, bytes),
                 Ok(Some(source)) => self.load(context, source),
                 Ok(None) => {}
@@ -120,12 +120,10 @@ impl Viewer {
             return self.load(context, load::of_path(path.to_owned()));
         }
         let size = path.metadata().map_or(0, |about| about.len());
-        if let Some(refused) = load::too_large(&name, size) {
-            return self.load(context, refused);
-        }
-        match file.bytes() {
+        let read = || file.bytes().map_err(|why| format!("{why}: {name}"));
+        match load::check_size(&name, size).and_then(|()| read()) {
             Ok(bytes) => self.open(context, &name, bytes),
-            Err(why) => self.say(format!("{why}: {name}")),
+            Err(why) => self.say(why),
         }
     }
 }

@@ -60,10 +60,8 @@ pub struct Choices {
     pub seconds: f32,
     /// Whether they move.
     pub playing: bool,
-    /// How far along the world's path the camera flies, 0 to 1, where it does.
-    pub path: Option<f32>,
-    /// Whether it stays where it is on the path.
-    pub held: bool,
+    /// Where on the world's path the camera is, where it is.
+    pub path: Option<OnPath>,
     /// Whether edges are smooth: four samples a pixel.
     pub smooth: bool,
     /// From where.
@@ -72,6 +70,15 @@ pub struct Choices {
     pub panels: bool,
     /// Whether there is the window that says which keys there are.
     pub help: bool,
+}
+
+/// Where on a path a camera is. It begins at the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OnPath {
+    /// Share of the path, 0 to 1.
+    pub along: f32,
+    /// Whether it stays there.
+    pub held: bool,
 }
 
 impl Choices {
@@ -93,7 +100,6 @@ impl Choices {
             seconds: 0.0,
             playing: false,
             path: None,
-            held: false,
             smooth: true,
             flight: flight(scene, camera),
             panels: true,
@@ -123,7 +129,7 @@ impl Choices {
 
     /// Whether the camera flies along the path.
     pub fn flies(&self) -> bool {
-        self.path.is_some() && !self.held
+        self.path.is_some_and(|path| !path.held)
     }
 
     /// From where the picture is seen.

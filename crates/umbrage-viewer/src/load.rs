@@ -5,7 +5,10 @@ use std::path::{Path, PathBuf};
 use umbrage_scene::Imported;
 
 /// More than this is not taken from a browser: the page has 4 GiB in all, and a scene needs several times its file.
-pub const MOST_BYTES: u64 = 512 << 20;
+const MOST_BYTES: u64 = 512 << 20;
+
+/// The extensions of files that hold a world.
+pub const WORLDS: [&str; 3] = ["glb", "gltf", "obj"];
 
 /// A world that can be loaded.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,16 +60,20 @@ fn of_bytes(name: &str, bytes: &[u8]) -> Result<Imported, String> {
     })
 }
 
-/// A file that is too large to be read, as one that will be refused by its name; `None` for any other.
-pub fn too_large(name: &str, bytes: u64) -> Option<Source> {
-    let mebibytes = bytes >> 20;
-    let name = format!("{name} (too large: {mebibytes} MiB, at most {})", MOST_BYTES >> 20);
-    (bytes > MOST_BYTES).then_some(Source::Bytes { name, bytes: Vec::new() })
+/// Asks before a file is read as a whole.
+///
+/// # Errors
+/// When it is larger than is read.
+pub fn check_size(name: &str, bytes: u64) -> Result<(), String> {
+    if bytes <= MOST_BYTES {
+        return Ok(());
+    }
+    Err(format!("a file may have {} MiB at most, and it has {}: {name}", MOST_BYTES >> 20, bytes >> 20))
 }
 
 /// Whether a file's name is that of a world.
 pub fn is_world(path: &Path) -> bool {
-    matches!(extension(path).as_str(), "glb" | "gltf" | "obj")
+    WORLDS.contains(&extension(path).as_str())
 }
 
 /// A path's extension in lower case; empty where it has none.
@@ -82,6 +89,13 @@ pub fn of_path(path: PathBuf) -> Source {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_file_that_is_too_large_is_refused_with_its_size() {
+        assert_eq!(check_size("a.glb", MOST_BYTES), Ok(()));
+        let text = check_size("a.glb", 700 << 20).expect_err("too large");
+        assert!(text.contains("512 MiB") && text.contains("700") && text.ends_with("a.glb"), "{text}");
+    }
 
     #[test]
     fn built_in_worlds_and_bytes_are_loaded_and_anything_else_is_refused_in_a_line() {

@@ -45,11 +45,14 @@ pub struct Figures {
     pub edge_displacement_px: Option<f64>,
 }
 
+/// Which world, and how many seconds from its start.
+type Moment = (u64, f32);
+
 /// The state of it.
 #[derive(Default)]
 pub struct Overlay {
-    tree: Option<(u64, f32, Arc<World>)>,
-    growing: Option<(u64, f32, Sorting)>,
+    tree: Option<(Moment, Arc<World>)>,
+    growing: Option<(Moment, Sorting)>,
     judging: Option<Judging>,
 }
 
@@ -100,7 +103,7 @@ impl Overlay {
 
     /// What it waits for, in words, where it is not tracing.
     pub fn waits_for(&self) -> Option<&str> {
-        self.growing.as_ref().map(|(_, _, task)| task.what.as_str())
+        self.growing.as_ref().map(|(_, task)| task.what.as_str())
     }
 
     /// Goes on for a moment. `world` tells worlds apart. Returns whether there is more to do.
@@ -130,23 +133,22 @@ impl Overlay {
         world: u64,
         seconds: f32,
     ) -> Result<Option<Arc<World>>, RenderError> {
-        if let Some((of, at, task)) = &self.growing {
-            let Some(grown) = task.poll() else { return Ok(None) };
-            let (of, at) = (*of, *at);
+        if let Some((of, task)) = &self.growing {
+            let (of, Some(grown)) = (*of, task.poll()) else { return Ok(None) };
             self.growing = None;
             let tree = grown.and_then(|tree| tree).map_err(RenderError::Device)?;
-            self.tree = Some((of, at, Arc::new(tree)));
+            self.tree = Some((of, Arc::new(tree)));
         }
         // Where nothing moves, one tree is that of all times.
         let moves = scene.instances.iter().any(Instance::is_dynamic);
-        let key = (world, if moves { seconds } else { 0.0 });
-        if let Some((_, _, tree)) = self.tree.as_ref().filter(|(of, at, _)| (*of, *at) == key) {
+        let wanted = (world, if moves { seconds } else { 0.0 });
+        if let Some((_, tree)) = self.tree.as_ref().filter(|(of, _)| *of == wanted) {
             return Ok(Some(Arc::clone(tree)));
         }
         let scene = Arc::clone(scene);
         let what = format!("sorting {} triangles for rays", scene.triangles());
         let task = Sorting::sort(what, context, move || Triangles::of(&scene, seconds));
-        self.growing = Some((key.0, key.1, task));
+        self.growing = Some((wanted, task));
         self.judging = None;
         Ok(None)
     }

@@ -4,6 +4,7 @@ use eframe::egui;
 use umbrage_scene::worlds;
 
 use crate::app::Viewer;
+use crate::choices::OnPath;
 use crate::load::{self, Source};
 use crate::take::{self, Cell};
 use crate::task::Task;
@@ -93,8 +94,7 @@ impl Viewer {
             .on_hover_text("The world's own flight, again and again (P).")
             .on_disabled_hover_text("This world has no path.");
         if path.changed() {
-            choices.path = follows.then_some(0.0);
-            choices.held = false;
+            choices.path = follows.then(OnPath::default);
         }
     }
 
@@ -182,24 +182,22 @@ impl Viewer {
     }
 }
 
-/// Asks for a file.
-fn pick(context: &egui::Context) -> Task<Option<Source>> {
-    let dialog =
-        rfd::AsyncFileDialog::new().add_filter("worlds and settings", &["glb", "gltf", "obj", "toml"]);
+/// Asks for a file; nothing where none is chosen.
+fn pick(context: &egui::Context) -> Task<Result<Option<Source>, String>> {
+    let kinds = [&load::WORLDS[..], &["toml"]].concat();
+    let dialog = rfd::AsyncFileDialog::new().add_filter("worlds and settings", &kinds);
     Task::wait_for("choosing a file", context, async move {
-        let file = dialog.pick_file().await?;
+        let Some(file) = dialog.pick_file().await else { return Ok(None) };
+        let name = file.file_name();
         #[cfg(not(target_arch = "wasm32"))]
         if load::extension(file.path()) != "toml" {
-            return Some(load::of_path(file.path().to_owned()));
+            return Ok(Some(load::of_path(file.path().to_owned())));
         }
         #[cfg(not(target_arch = "wasm32"))]
         let size = file.path().metadata().map_or(0, |about| about.len());
         #[cfg(target_arch = "wasm32")]
         let size = file.inner().size() as u64;
-        if let Some(refused) = load::too_large(&file.file_name(), size) {
-            return Some(refused);
-        }
-        let bytes = file.read().await;
-        Some(Source::Bytes { name: file.file_name(), bytes })
+        load::check_size(&name, size)?;
+        Ok(Some(Source::Bytes { name, bytes: file.read().await }))
     })
 }

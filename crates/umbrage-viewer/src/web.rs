@@ -14,7 +14,7 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::js_sys;
 
 use crate::app::{Start, Viewer};
-use crate::load::{Source, too_large};
+use crate::load::{Source, check_size};
 use crate::probe::Probe;
 use crate::task::Task;
 
@@ -156,15 +156,13 @@ pub async fn next_moment() {
 }
 
 /// Reads a file that was dropped on the page. It goes nowhere else.
-pub fn read(context: &egui::Context, file: egui::DroppedFileHandle) -> Task<Option<Source>> {
+pub fn read(context: &egui::Context, file: egui::DroppedFileHandle) -> Task<Result<Option<Source>, String>> {
     Task::wait_for("reading the file", context, async move {
         let name = file.path().to_string_lossy().into_owned();
         let size = file.web_file().map_or(0.0, |file| file.size());
-        if let Some(refused) = too_large(&name, size as u64) {
-            return Some(refused);
-        }
-        let bytes = file.bytes_async().await.unwrap_or_default();
-        Some(Source::Bytes { name, bytes })
+        check_size(&name, size as u64)?;
+        let bytes = file.bytes_async().await.map_err(|why| format!("{why}: {name}"))?;
+        Ok(Some(Source::Bytes { name, bytes }))
     })
 }
 

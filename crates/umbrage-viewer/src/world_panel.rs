@@ -3,7 +3,7 @@
 use eframe::egui;
 
 use crate::app::Viewer;
-use crate::choices::{Shown, is_sun};
+use crate::choices::{OnPath, Shown, is_sun};
 use crate::sky;
 
 impl Viewer {
@@ -50,7 +50,7 @@ impl Viewer {
             .clamping(egui::SliderClamping::Edits)
             .suffix(" m/s");
         ui.add(speed).on_hover_text("How fast keys move the camera; Shift is four times as fast.");
-        if let Some(along) = &mut choices.path {
+        if let Some(OnPath { along, held }) = &mut choices.path {
             let mut place = *along;
             let slider = egui::Slider::new(&mut place, 0.0..=1.0).text("along the path").max_decimals(3);
             let slider = ui
@@ -58,9 +58,9 @@ impl Viewer {
                 .on_hover_text("How far along the world's path the camera is. Dragging holds it there.");
             // It also rounds what flies by.
             if slider.dragged() || slider.has_focus() {
-                (*along, choices.held) = (place, true);
+                (*along, *held) = (place, true);
             }
-            ui.checkbox(&mut choices.held, "hold").on_hover_text("The camera stays on the path where it is.");
+            ui.checkbox(held, "hold").on_hover_text("The camera stays on the path where it is.");
         }
         let smooth = ui.checkbox(&mut choices.smooth, "smooth edges");
         smooth.on_hover_text("Four samples a pixel. Dear without a GPU. What is judged always has one.");

@@ -8,6 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use umbrage::schema::{self, Values};
 use umbrage::{Contact, Filter, Settings, Shade, Warp};
+use umbrage_viewer::choices::OnPath;
 use umbrage_viewer::load::Source;
 use umbrage_viewer::settings_panel::{self, Refused};
 use umbrage_viewer::{Start, Viewer, native};
@@ -133,7 +134,7 @@ fn whole(world: &str) -> Harness<'static, Viewer> {
 fn every_widget_of_the_whole_window_has_a_name() {
     let mut harness = whole("primitives");
     let choices = harness.state_mut().choices().expect("a world");
-    (choices.help, choices.maps, choices.path, choices.compare) = (true, true, Some(0.5), true);
+    (choices.help, choices.maps, choices.path, choices.compare) = (true, true, Some(OnPath::default()), true);
     harness.run_steps(4);
     harness.check_accessibility();
     for name in [
@@ -157,7 +158,7 @@ fn a_flight_along_the_path_is_held_and_goes_on() {
     let eye =
         |harness: &mut Harness<'_, Viewer>| harness.state_mut().choices().expect("a world").camera().eye();
     let start = eye(&mut harness);
-    harness.state_mut().choices().expect("a world").path = Some(0.4);
+    harness.state_mut().choices().expect("a world").path = Some(OnPath { along: 0.4, held: false });
     harness.run_steps(3);
     let flown = eye(&mut harness);
     assert!(flown.distance(start) > 0.1, "it flies: {start}, {flown}");

@@ -163,29 +163,9 @@ export class Page {
     }, [name, args]);
   }
 
-  /** Waits until a global, or what it returns, is there and true. */
-  async until(name, timeout = 30_000) {
-    await this.tab.waitForFunction((name) => {
-      const value = window[name];
-      return typeof value === "function" ? value() : value;
-    }, name, { timeout });
-  }
-
   /** Presses keys one after the other, as Playwright names them: "w", "Escape", "Control+c". */
   async press(...keys) {
     for (const key of keys) await this.tab.keyboard.press(key);
-  }
-
-  /** Holds a key down for a time. */
-  async hold(key, milliseconds) {
-    await this.tab.keyboard.down(key);
-    await this.wait(milliseconds);
-    await this.tab.keyboard.up(key);
-  }
-
-  /** Writes text into what has the focus. */
-  async type(text) {
-    await this.tab.keyboard.type(text);
   }
 
   async move(x, y) {
@@ -204,11 +184,6 @@ export class Page {
     await this.tab.mouse.down({ button });
     await this.tab.mouse.move(toX, toY, { steps: 10 });
     await this.tab.mouse.up({ button });
-  }
-
-  async scroll(x, y, pixels) {
-    await this.move(x, y);
-    await this.tab.mouse.wheel(0, pixels);
   }
 
   /** Lays fingers down and moves them: for each its way, as a list of points, all equally long. Then lifts them. */
