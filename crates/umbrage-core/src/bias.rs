@@ -2,7 +2,7 @@
 //!
 //! A texel stores the depth of one point of it. Within the reach h (in texels) of a filter's kernel, a flat receiver
 //! differs in depth along the light by up to h (|N·a_u| + |N·a_v|) / cos θ, where a_u and a_v are the texel's sides
-//! ([`crate::Footing`]), N is the receiver's normal, and θ lies between it and the light. Moving the receiver by
+//! ([`crate::TexelBasis`]), N is the receiver's normal, and θ lies between it and the light. Moving the receiver by
 //! h (|N·a_u| + |N·a_v|) along N covers exactly that. (Holbert, *Saying "Goodbye" to Shadow Acne*, GDC 2011, has the idea;
 //! the length is derived. For square texels of side t it is at most √2 h t sin θ.)
 //!
@@ -15,15 +15,15 @@
 use glam::{Vec2, Vec3};
 
 use crate::filter::Filter;
-use crate::footing::Footing;
 use crate::settings::{Bias, Settings, Warp};
+use crate::texel_basis::TexelBasis;
 
 /// How far from a receiver its lookups may end, in texels: the offset and the corner of the kernel.
 pub(crate) fn reach_texels(bias: &Bias, filter: &Filter) -> f64 {
     std::f64::consts::SQRT_2 * (f64::from(filter.reach_texels()) + largest_offset_texels(bias, filter))
 }
 
-/// How far along the normal a receiver is moved at most, in texels: see [`Footing::lift`].
+/// How far along the normal a receiver is moved at most, in texels: see [`TexelBasis::normal_offset`].
 fn largest_offset_texels(bias: &Bias, filter: &Filter) -> f64 {
     // The smaller the texel, the more of them a width in metres is, up to its limit.
     f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE))
@@ -40,7 +40,7 @@ pub struct BiasMetres {
 
 /// What each texel around a receiver is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reference {
+pub enum CompareDepth {
     /// The depth that the receiver's own plane has at the texel's centre.
     Plane,
     /// The depth there of a plane through the receiver that faces the light. Under a sun without a warp that is the
@@ -52,30 +52,30 @@ pub enum Reference {
 
 impl Settings {
     /// What texels are compared with under these settings.
-    pub fn reference(&self) -> Reference {
+    pub fn compare_depth(&self) -> CompareDepth {
         if self.filter.moments(1.0).is_some() {
-            Reference::Own
+            CompareDepth::Own
         } else if self.bias.receiver_plane {
-            Reference::Plane
+            CompareDepth::Plane
         } else if self.warp != Warp::None || self.filter == (Filter::Hard {}) {
-            Reference::Facing
+            CompareDepth::Facing
         } else {
-            Reference::Own
+            CompareDepth::Own
         }
     }
 
-    /// The bias at a receiver with a unit normal and a unit direction to the light. `footing` is that of its view there.
-    pub fn bias_metres(&self, footing: &Footing, normal: Vec3, to_light: Vec3) -> BiasMetres {
+    /// The bias at a receiver with a unit normal and a unit direction to the light. `texel_basis` is that of its view there.
+    pub fn bias_metres(&self, texel_basis: &TexelBasis, normal: Vec3, to_light: Vec3) -> BiasMetres {
         let bias = &self.bias;
         let cosine = normal.dot(to_light).clamp(0.0, 1.0);
         let sine = (1.0 - cosine * cosine).sqrt();
         let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
-        let texel_metres = footing.texel_metres();
+        let texel_metres = texel_basis.texel_metres();
         let texels = bias.normal * self.filter.offset_reach_texels(texel_metres);
         BiasMetres {
-            along_normal: match self.reference() {
-                Reference::Plane | Reference::Facing => footing.lift(normal, texels),
-                Reference::Own => footing.lift_over_stored(normal, to_light, texels),
+            along_normal: match self.compare_depth() {
+                CompareDepth::Plane | CompareDepth::Facing => texel_basis.normal_offset(normal, texels),
+                CompareDepth::Own => texel_basis.normal_offset_over_stored(normal, to_light, texels),
             },
             toward_light: bias.constant + bias.slope * texel_metres * tangent,
         }
@@ -84,11 +84,11 @@ impl Settings {
     /// How much the depth to compare with grows from one texel of a view to the next, to the right and downward.
     ///
     /// Mirrors `umbrage_gradient` of the shaders.
-    pub fn reference_gradient(&self, footing: &Footing, normal: Vec3, to_light: Vec3) -> Vec2 {
-        match self.reference() {
-            Reference::Plane => footing.slope(normal, to_light, self.filter.steepest_plane()),
-            Reference::Facing => footing.slope(to_light, to_light, self.filter.steepest_plane()),
-            Reference::Own => Vec2::ZERO,
+    pub fn reference_gradient(&self, texel_basis: &TexelBasis, normal: Vec3, to_light: Vec3) -> Vec2 {
+        match self.compare_depth() {
+            CompareDepth::Plane => texel_basis.slope(normal, to_light, self.filter.steepest_plane()),
+            CompareDepth::Facing => texel_basis.slope(to_light, to_light, self.filter.steepest_plane()),
+            CompareDepth::Own => Vec2::ZERO,
         }
     }
 }
@@ -126,9 +126,9 @@ mod tests {
         let bias = Bias { slope: 0.005 * 30.0 / texel, slope_limit: 2.0, ..Bias::NONE };
         for degrees in [0.0f32, 30.0, 45.0, 60.0, 80.0] {
             let tutorial = (0.005 * degrees.to_radians().tan()).clamp(0.0, 0.01) * 30.0;
-            let footing = square_texels(texel);
+            let texel_basis = square_texels(texel);
             let normal = Vec3::new(degrees.to_radians().sin(), degrees.to_radians().cos(), 0.0);
-            let ours = with(bias, Filter::Hard {}).bias_metres(&footing, normal, Vec3::Y).toward_light;
+            let ours = with(bias, Filter::Hard {}).bias_metres(&texel_basis, normal, Vec3::Y).toward_light;
             assert!((ours - tutorial).abs() < 1e-5, "{degrees}°: {ours}, not {tutorial}");
         }
     }
@@ -141,9 +141,10 @@ mod tests {
             // Across the texels' diagonal, where it is most.
             let half = std::f32::consts::FRAC_1_SQRT_2;
             let normal = Vec3::new(sine * half, cosine, sine * half);
-            let footing = square_texels(0.25);
+            let texel_basis = square_texels(0.25);
             let gap_along_light =
-                with(bias, Filter::Bilinear {}).bias_metres(&footing, normal, Vec3::Y).along_normal / cosine;
+                with(bias, Filter::Bilinear {}).bias_metres(&texel_basis, normal, Vec3::Y).along_normal
+                    / cosine;
             let error = std::f32::consts::SQRT_2 * 0.25 * sine / cosine;
             assert!(
                 (gap_along_light / error - 1.0).abs() < 1e-4,
@@ -168,9 +169,9 @@ mod tests {
         let (a, b) = ((near + far) / (near - far), 2.0 * near * far / (near - far));
         for receiver in [tip + axis * 5.0, Vec3::new(1.0, 3.0, 1.0), Vec3::new(-2.0, 0.0, 3.0), Vec3::ZERO] {
             let to_light = (tip - receiver).normalize_or_zero();
-            let footing = view.texel_at(receiver);
-            let ours =
-                footing.rise(to_light) * settings.bias_metres(&footing, to_light, to_light).toward_light;
+            let texel_basis = view.texel_basis_at(receiver);
+            let ours = texel_basis.rise(to_light)
+                * settings.bias_metres(&texel_basis, to_light, to_light).toward_light;
             let z = view.clip_from_world.project_point3(receiver).z;
             // Theirs is measured along the axis, ours along the ray.
             let s = 0.01 * -axis.dot(to_light);
@@ -195,10 +196,10 @@ mod tests {
     }
 
     /// Texels of this side under a sun in the zenith.
-    fn square_texels(side: f32) -> Footing {
+    fn square_texels(side: f32) -> TexelBasis {
         let (view, _) = view(DVec3::NEG_Y);
         let scaled = glam::Mat4::from_scale(Vec3::new(0.5 / side, 1.0, 0.25 / side));
-        ShadowView { clip_from_world: view.clip_from_world * scaled, ..view }.texel_at(Vec3::ZERO)
+        ShadowView { clip_from_world: view.clip_from_world * scaled, ..view }.texel_basis_at(Vec3::ZERO)
     }
 
     /// A view of 64 × 32 metres and 100 metres of depth on 128² texels, with its axes.
@@ -232,9 +233,9 @@ mod tests {
         for (x, y) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (-2.0, 3.0), (4.0, -5.0)] {
             // A plane whose depth changes by x and y metres a metre to the right and up on the map.
             let normal = (light.right * x + light.up * y - light.along).normalize_or_zero();
-            let footing = view.texel_at(Vec3::ONE);
+            let texel_basis = view.texel_basis_at(Vec3::ONE);
             let gradient = with(bias, Filter::Bilinear {}).reference_gradient(
-                &footing,
+                &texel_basis,
                 normal.as_vec3(),
                 -along.as_vec3(),
             );
@@ -255,9 +256,9 @@ mod tests {
                 let (sine, cosine) = degrees.to_radians().sin_cos();
                 let (y, x) = (f64::from(turn) * 0.4).sin_cos();
                 let normal = (light.right * x + light.up * y) * sine - light.along * cosine;
-                let footing = view.texel_at(Vec3::ONE);
-                let gradient = with(bias, filter).reference_gradient(&footing, normal.as_vec3(), Vec3::Y);
-                let toward = with(bias, filter).bias_metres(&footing, normal.as_vec3(), Vec3::Y);
+                let texel_basis = view.texel_basis_at(Vec3::ONE);
+                let gradient = with(bias, filter).reference_gradient(&texel_basis, normal.as_vec3(), Vec3::Y);
+                let toward = with(bias, filter).bias_metres(&texel_basis, normal.as_vec3(), Vec3::Y);
                 let nearest = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres
                     + toward.along_normal
                     + toward.toward_light;
@@ -270,20 +271,20 @@ mod tests {
     fn surfaces_turned_away_have_no_gradient_and_grazing_ones_a_finite_one() {
         let bias = Bias { receiver_plane: true, ..Bias::NONE };
         let (view, _) = view(DVec3::NEG_Y);
-        let footing = view.texel_at(Vec3::ONE);
+        let texel_basis = view.texel_basis_at(Vec3::ONE);
         assert_eq!(
-            with(bias, Filter::Bilinear {}).reference_gradient(&footing, Vec3::X, Vec3::Y),
+            with(bias, Filter::Bilinear {}).reference_gradient(&texel_basis, Vec3::X, Vec3::Y),
             Vec2::ZERO
         );
         assert!(
             with(bias, Filter::Bilinear {})
-                .reference_gradient(&footing, Vec3::new(1.0, 1e-30, 0.0), Vec3::Y)
+                .reference_gradient(&texel_basis, Vec3::new(1.0, 1e-30, 0.0), Vec3::Y)
                 .is_finite(),
             "grazing"
         );
         let slanted = Vec3::ONE.normalize_or_zero();
         assert_eq!(
-            with(Bias::NONE, Filter::Bilinear {}).reference_gradient(&footing, slanted, Vec3::Y),
+            with(Bias::NONE, Filter::Bilinear {}).reference_gradient(&texel_basis, slanted, Vec3::Y),
             Vec2::ZERO,
             "not asked for"
         );

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::bounds::Aabb;
-use crate::few::Few;
+use crate::few::ArrayVec;
 use crate::frustum::PlaneF64;
 
 /// A frustum clipped by a box and by another frustum has at most 18 faces.
@@ -16,12 +16,12 @@ const MAX_CORNERS: usize = 20;
 /// Points this close, relative to the body's size, are one point.
 const SAME_POINT: f64 = 1e-9;
 
-type Face = Few<DVec3, MAX_CORNERS>;
+type Face = ArrayVec<DVec3, MAX_CORNERS>;
 
 /// A convex body in world space, metres; perhaps empty.
 #[derive(Clone, Debug, Default)]
 pub struct ConvexBody {
-    faces: Few<Face, MAX_FACES>,
+    faces: ArrayVec<Face, MAX_FACES>,
 }
 
 impl ConvexBody {

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec4, Vec3};
 
 use crate::bounds::Aabb;
 use crate::convex::ConvexBody;
-use crate::few::Few;
+use crate::few::ArrayVec;
 use crate::fit::outline::convex_hull;
 use crate::frustum::{Plane, PlaneF64};
 use crate::space::LightSpace;
@@ -23,14 +23,14 @@ const MARGIN: f64 = 1e-6;
 /// [`ConvexVolume::empty`] is nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct ConvexVolume {
-    planes: Few<Plane, MAX_PLANES>,
+    planes: ArrayVec<Plane, MAX_PLANES>,
     empty: bool,
 }
 
 impl ConvexVolume {
     /// The volume that nothing touches.
     pub fn empty() -> Self {
-        Self { planes: Few::default(), empty: true }
+        Self { planes: ArrayVec::default(), empty: true }
     }
 
     /// The inside of a clip matrix with depth 0…1.
@@ -115,7 +115,7 @@ impl ConvexVolume {
 }
 
 /// The convex hull of points, counter-clockwise; points closer than `same` are one.
-fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> Few<DVec2, MAX_OUTLINE> {
+fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> ArrayVec<DVec2, MAX_OUTLINE> {
     let mut apart = [DVec2::ZERO; MAX_OUTLINE];
     let mut count = 0;
     for point in points {
@@ -126,7 +126,7 @@ fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> Few<DVec2, MAX_OUT
     }
     let mut hull = [DVec2::ZERO; 2 * MAX_OUTLINE];
     let len = convex_hull(&mut apart[..count], &mut hull);
-    let mut ring = Few::default();
+    let mut ring = ArrayVec::default();
     for &point in &hull[..len] {
         let _full = !ring.push(point);
     }

@@ -15,8 +15,8 @@ mod ranges;
 use crate::moments::{self, Moments, Msm};
 
 pub use numbers::{
-    Disc, Exponential, ExponentialVariance, Footprint, FourMoments, LightSize, MomentPrecision, Pcss,
-    Prefilter, Seed, SoftMoments, SummedVariance, Variance,
+    Disc, Exponential, ExponentialVariance, Footprint, FourMoments, LightSize, MomentPrecision, NoiseSource,
+    Pcss, Prefilter, SoftMoments, SummedVariance, Variance,
 };
 
 /// How a map is read; each variant has a file of shader code.
@@ -69,41 +69,56 @@ pub enum Filter {
 impl Filter {
     /// What is stored instead of depth, of a map that is `depth_metres` deep; `None` where depths themselves are read.
     pub fn moments(&self, depth_metres: f32) -> Option<Moments> {
-        let least_variance = (self.least_deviation_metres() / depth_metres.max(f32::MIN_POSITIVE)).powi(2);
+        let least_variance =
+            (self.min_standard_deviation_metres() / depth_metres.max(f32::MIN_POSITIVE)).powi(2);
         match self {
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
             Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
             Self::Footprint(_) | Self::Pcss(_) => None,
-            Self::Vsm(Variance { bleed, .. }) | Self::Savsm(SummedVariance { bleed, .. }) => {
-                Some(Moments::Vsm(moments::Vsm { least_variance, bleed: *bleed }))
-            }
+            Self::Vsm(Variance { light_bleed_reduction, .. })
+            | Self::Savsm(SummedVariance { light_bleed_reduction, .. }) => Some(Moments::Vsm(moments::Vsm {
+                least_variance,
+                light_bleed_reduction: *light_bleed_reduction,
+            })),
             Self::Esm(of) => Some(Moments::Esm(moments::Esm { exponent: of.exponent })),
             Self::Evsm2(of) => {
                 let (exponent, _) = of.exponents();
-                Some(Moments::Evsm2(moments::Evsm2 { exponent, least_variance, bleed: of.bleed }))
+                Some(Moments::Evsm2(moments::Evsm2 {
+                    exponent,
+                    least_variance,
+                    light_bleed_reduction: of.light_bleed_reduction,
+                }))
             }
             Self::Evsm4(of) => {
                 let (positive, negative) = of.exponents();
-                Some(Moments::Evsm4(moments::Evsm4 { positive, negative, least_variance, bleed: of.bleed }))
+                Some(Moments::Evsm4(moments::Evsm4 {
+                    positive,
+                    negative,
+                    least_variance,
+                    light_bleed_reduction: of.light_bleed_reduction,
+                }))
             }
             Self::Msm(of) => Some(Moments::Msm(Msm {
-                bleed: of.bleed,
+                light_bleed_reduction: of.light_bleed_reduction,
                 ..match of.precision {
                     MomentPrecision::F32 => Msm::F32,
                     MomentPrecision::U16 => Msm::UNORM16,
                 }
             })),
-            Self::Mssm(of) => Some(Moments::Msm(Msm { bleed: of.bleed, ..Msm::in_steps(self.sum_steps()) })),
+            Self::Mssm(of) => Some(Moments::Msm(Msm {
+                light_bleed_reduction: of.light_bleed_reduction,
+                ..Msm::in_steps(self.sum_steps())
+            })),
         }
     }
 
     /// The least deviation of depth that its moments count with, metres; 0 where it asks for none.
-    pub fn least_deviation_metres(&self) -> f32 {
+    pub fn min_standard_deviation_metres(&self) -> f32 {
         match self {
-            Self::Vsm(Variance { least_deviation, .. })
-            | Self::Savsm(SummedVariance { least_deviation, .. })
-            | Self::Evsm2(ExponentialVariance { least_deviation, .. })
-            | Self::Evsm4(ExponentialVariance { least_deviation, .. }) => *least_deviation,
+            Self::Vsm(Variance { min_standard_deviation, .. })
+            | Self::Savsm(SummedVariance { min_standard_deviation, .. })
+            | Self::Evsm2(ExponentialVariance { min_standard_deviation, .. })
+            | Self::Evsm4(ExponentialVariance { min_standard_deviation, .. }) => *min_standard_deviation,
             Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => 0.0,
             Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => 0.0,
             Self::Footprint(_) | Self::Pcss(_) | Self::Esm(_) | Self::Msm(_) | Self::Mssm(_) => 0.0,
@@ -158,12 +173,12 @@ impl Filter {
             Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
                 disc.radius_texels.max(0.5) * disc.farthest() + 1.0
             }
-            Self::Footprint(Footprint { most_texels, .. })
-            | Self::Pcss(Pcss { most_texels, .. })
-            | Self::Mssm(SoftMoments { most_texels, .. }) => most_texels + 1.0,
+            Self::Footprint(Footprint { max_texels, .. })
+            | Self::Pcss(Pcss { max_texels, .. })
+            | Self::Mssm(SoftMoments { max_texels, .. }) => max_texels + 1.0,
             Self::Savsm(SummedVariance { radius_texels, .. }) => radius_texels.max(0.5) + 1.0,
             Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => {
-                self.prefilter().map_or(1.0, |of| (of.shrink * (of.blur_texels + 1)) as f32)
+                self.prefilter().map_or(1.0, |of| (of.downsample * (of.blur_texels + 1)) as f32)
             }
         }
     }

@@ -4,25 +4,25 @@
 //! is left are the receivers. Each file of `fit/` says what rectangle of the map's plane holds them; here it becomes a
 //! matrix, with room for the filter and the bias around it.
 
+mod light_extent;
 pub(crate) mod outline;
+mod rotation;
 mod scene;
-mod seen;
 mod stable;
-mod turn;
 mod view;
-mod whole;
+mod visible_receivers;
 mod within;
 
 use std::ops::Range;
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
-use crate::beam::Beam;
 use crate::bias::{largest_bias, plane_reach_texels, reach_texels};
 use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::convex::ConvexBody;
 use crate::cull::ConvexVolume;
+use crate::light_frustum::LightFrustum;
 use crate::settings::{Fit, Select, Settings};
 use crate::space::LightSpace;
 use crate::warp::Warp;
@@ -42,11 +42,11 @@ pub(crate) struct Fitted {
     pub inverse_weight: DVec3,
 }
 
-/// What one view is to serve: a slice of the camera's view in one beam of light.
+/// What one view is to serve: a slice of the camera's view in one light_frustum of light.
 pub(crate) struct Slice<'a> {
     pub camera: &'a Camera,
     pub depths: Range<f64>,
-    pub beam: Beam,
+    pub light_frustum: LightFrustum,
     pub resolution: u32,
     pub bounds: &'a Bounds,
     pub settings: &'a Settings,
@@ -70,19 +70,19 @@ const LEAST_SIZE: f64 = 1e-3;
 /// Fits a view to a slice, as the settings say. `outline` is room to work in.
 pub(crate) fn fit(slice: &Slice<'_>, outline: &mut Outline) -> Fitted {
     let in_slice = ConvexBody::of_slice(&slice.camera.slice_corners(slice.depths.clone()));
-    let in_beam = match &slice.beam {
-        Beam::Parallel(_) => in_slice,
-        Beam::Spread(pyramid) => in_slice.clipped_by_all(&pyramid.planes()),
+    let in_beam = match &slice.light_frustum {
+        LightFrustum::Parallel(_) => in_slice,
+        LightFrustum::Spread(pyramid) => in_slice.clipped_by_all(&pyramid.planes()),
     };
     let world = &slice.bounds.world;
     let receivers =
         if world.is_empty() { ConvexBody::default() } else { in_beam.clone().clipped_by_box(world) };
-    match (&slice.beam, slice.settings.fit) {
-        (Beam::Spread(pyramid), _) if pyramid.is_face || in_beam.is_empty() => {
-            whole::fit(slice, pyramid, &receivers)
+    match (&slice.light_frustum, slice.settings.fit) {
+        (LightFrustum::Spread(pyramid), _) if pyramid.is_face || in_beam.is_empty() => {
+            light_extent::fit(slice, pyramid, &receivers)
         }
-        (Beam::Spread(pyramid), Fit::Stable) => whole::fit(slice, pyramid, &receivers),
-        (Beam::Parallel(_), Fit::Stable) => stable::fit(slice, &receivers),
+        (LightFrustum::Spread(pyramid), Fit::Stable) => light_extent::fit(slice, pyramid, &receivers),
+        (LightFrustum::Parallel(_), Fit::Stable) => stable::fit(slice, &receivers),
         (_, Fit::Scene) => scene::fit(slice, &in_beam, &receivers, outline),
         (_, Fit::View) => view::fit(slice, &in_beam, &receivers, outline),
     }
@@ -91,11 +91,11 @@ pub(crate) fn fit(slice: &Slice<'_>, outline: &mut Outline) -> Fitted {
 impl Slice<'_> {
     /// Axes whose up follows the camera's view, so that boxes around slices are tight.
     fn light_along_view(&self) -> LightSpace {
-        self.beam.space(self.camera.forward().as_dvec3())
+        self.light_frustum.space(self.camera.forward().as_dvec3())
     }
 
     fn is_face(&self) -> bool {
-        matches!(&self.beam, Beam::Spread(pyramid) if pyramid.is_face)
+        matches!(&self.light_frustum, LightFrustum::Spread(pyramid) if pyramid.is_face)
     }
 
     /// Where the world begins and ends along the light's axis, metres.
@@ -121,7 +121,7 @@ impl Slice<'_> {
         if !self.settings.flattens_casters() && !self.bounds.world.is_empty() {
             near = near.min(self.world_metres(light).start - margin);
         }
-        if let Beam::Spread(pyramid) = &self.beam {
+        if let LightFrustum::Spread(pyramid) = &self.light_frustum {
             near = near.max(pyramid.least_near());
         }
         near..(receivers.end + margin).max(near + LEAST_SIZE)

@@ -13,7 +13,6 @@
 //! This crate does not: draw, allocate textures, know a shading language, load scenes, or choose your light.
 
 mod aliasing;
-mod beam;
 mod bias;
 mod bounds;
 mod camera;
@@ -25,10 +24,10 @@ mod error;
 mod few;
 mod filter;
 mod fit;
-mod footing;
 mod frustum;
 pub mod kernel;
 mod light;
+mod light_frustum;
 mod moments;
 mod plan;
 mod presets;
@@ -37,6 +36,7 @@ mod settings;
 mod space;
 mod split;
 mod stabilise;
+mod texel_basis;
 mod view;
 mod warp;
 
@@ -44,29 +44,29 @@ pub use aliasing::{
     PerspectiveError, TexelExtent, balanced_warp_near, ideal_storage_factor, largest_perspective_error,
     perspective_error, perspective_texel_extent, storage_factor, texel_extent,
 };
-pub use bias::{BiasMetres, RASTER_STEP_TEXELS, Reference};
+pub use bias::{BiasMetres, CompareDepth, RASTER_STEP_TEXELS};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
 pub use contact::Contact;
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
-pub use few::Few;
+pub use few::ArrayVec;
 pub use filter::{
-    Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision, Pcss,
-    Prefilter, Seed, SoftMoments, SummedVariance, Variance,
+    Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision,
+    NoiseSource, Pcss, Prefilter, SoftMoments, SummedVariance, Variance,
 };
-pub use footing::Footing;
 pub use frustum::Plane;
-pub use light::{Light, Rays};
+pub use light::{Light, LightKind};
 pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use presets::{PRESETS, Preset};
 pub use settings::{
-    Bias, CasterFaces, DepthFormat, Fit, Layer, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
+    Bias, CasterFaces, DepthFormat, DepthLayer, Fit, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
     Storage, Warp,
 };
 pub use space::LightSpace;
 pub use split::split_distances;
 pub use stabilise::{Sphere, bounding_sphere, quantise_up, snap};
+pub use texel_basis::TexelBasis;
 pub use view::{MapLayout, ShadowView, Tile};

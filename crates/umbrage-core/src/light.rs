@@ -9,7 +9,7 @@ use crate::filter::LightSize;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// Where its rays come from.
-    pub rays: Rays,
+    pub kind: LightKind,
     /// Texels a side of each of its views' tiles; as the settings say where absent.
     pub resolution: Option<u32>,
     /// How large it is, for soft filters: the whole angle that a sun is seen under, radians, or a lamp's diameter, metres.
@@ -19,8 +19,8 @@ pub struct Light {
 
 /// Where a light's rays come from, in world space. Made by the functions of [`Light`], which refuse what cannot shine.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Rays {
+
+pub enum LightKind {
     /// Parallel, as from the sun.
     Directional {
         /// Unit direction in which the light travels.
@@ -55,7 +55,7 @@ impl Light {
     /// # Errors
     /// When `direction` is zero or not finite.
     pub fn directional(direction: Vec3) -> Result<Self, LightError> {
-        Ok(Self::of(Rays::Directional { direction: unit(direction)? }))
+        Ok(Self::of(LightKind::Directional { direction: unit(direction)? }))
     }
 
     /// A cone of light from `position` along `direction` (of any length), `half_angle` radians from its axis to its rim,
@@ -69,7 +69,7 @@ impl Light {
         }
         let direction = unit(direction)?;
         check_reach(position, range)?;
-        Ok(Self::of(Rays::Spot { position, direction, half_angle, range }))
+        Ok(Self::of(LightKind::Spot { position, direction, half_angle, range }))
     }
 
     /// Light in all directions from `position`, `range` metres far.
@@ -78,11 +78,11 @@ impl Light {
     /// When `range` is not positive or `position` not finite.
     pub fn point(position: Vec3, range: f32) -> Result<Self, LightError> {
         check_reach(position, range)?;
-        Ok(Self::of(Rays::Point { position, range }))
+        Ok(Self::of(LightKind::Point { position, range }))
     }
 
-    fn of(rays: Rays) -> Self {
-        Self { rays, resolution: None, size: None }
+    fn of(kind: LightKind) -> Self {
+        Self { kind, resolution: None, size: None }
     }
 
     /// The same with tiles of `texels` a side.
@@ -97,7 +97,7 @@ impl Light {
     /// When it is negative or not finite, or a sun more than half of all directions.
     pub fn with_size(self, size: f32) -> Result<Self, LightError> {
         let most =
-            if matches!(self.rays, Rays::Directional { .. }) { std::f32::consts::PI } else { f32::MAX };
+            if matches!(self.kind, LightKind::Directional { .. }) { std::f32::consts::PI } else { f32::MAX };
         if (0.0..=most).contains(&size) {
             Ok(Self { size: Some(size), ..self })
         } else {
@@ -107,21 +107,23 @@ impl Light {
 
     /// What penumbrae grow with: the tangent of half the angle that a sun is seen under, or a lamp's radius, metres.
     pub fn half_size(&self, otherwise: LightSize) -> f32 {
-        match self.rays {
-            Rays::Directional { .. } => {
+        match self.kind {
+            LightKind::Directional { .. } => {
                 let angle = self.size.unwrap_or(otherwise.sun_degrees.to_radians());
                 // Half of all directions have no tangent.
                 (0.5 * angle).min(1.57).tan()
             }
-            Rays::Spot { .. } | Rays::Point { .. } => 0.5 * self.size.unwrap_or(otherwise.lamp_metres),
+            LightKind::Spot { .. } | LightKind::Point { .. } => {
+                0.5 * self.size.unwrap_or(otherwise.punctual_metres)
+            }
         }
     }
 
     /// Unit direction from a point of the world toward the light; zero at the light itself.
     pub fn direction_from(&self, point: Vec3) -> Vec3 {
-        match self.rays {
-            Rays::Directional { direction } => -direction,
-            Rays::Spot { position, .. } | Rays::Point { position, .. } => {
+        match self.kind {
+            LightKind::Directional { direction } => -direction,
+            LightKind::Spot { position, .. } | LightKind::Point { position, .. } => {
                 (position - point).normalize_or_zero()
             }
         }
@@ -173,7 +175,7 @@ mod tests {
     #[test]
     fn a_light_may_be_as_large_as_the_sky_and_no_larger_and_not_negative() {
         let sun = Light::directional(Vec3::NEG_Y).expect("a sun");
-        let otherwise = LightSize { sun_degrees: 90.0, lamp_metres: 3.0 };
+        let otherwise = LightSize { sun_degrees: 90.0, punctual_metres: 3.0 };
         assert!((sun.half_size(otherwise) - 1.0).abs() < 1e-6, "tan 45°");
         assert!(
             sun.with_size(std::f32::consts::PI).is_ok_and(|sun| sun.half_size(otherwise).is_finite()),

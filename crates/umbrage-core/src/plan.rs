@@ -6,14 +6,14 @@ use std::ops::Range;
 
 use glam::{DMat4, DVec3, Mat4, Vec3};
 
-use crate::beam::Beam;
 use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
 use crate::convex::ConvexBody;
 use crate::error::PlanError;
-use crate::few::Few;
+use crate::few::ArrayVec;
 use crate::fit::{Outline, Slice, fit};
-use crate::light::{FACES, Light, Rays};
+use crate::light::{FACES, Light, LightKind};
+use crate::light_frustum::LightFrustum;
 use crate::settings::{DepthFormat, MAX_LIGHTS, MAX_SPLITS, Scheme, Settings};
 use crate::split::split_distances;
 use crate::view::{MAX_VIEWS, MapLayout, ShadowView, Tile, arrange, tile_sizes};
@@ -23,7 +23,7 @@ use crate::view::{MAX_VIEWS, MapLayout, ShadowView, Tile, arrange, tile_sizes};
 pub struct ShadowPlan {
     views: Vec<ShadowView>,
     lights: Vec<Light>,
-    splits: Few<f64, { MAX_SPLITS + 1 }>,
+    splits: ArrayVec<f64, { MAX_SPLITS + 1 }>,
     layout: MapLayout,
     camera: Camera,
     /// Room to fit in.
@@ -47,7 +47,7 @@ pub fn plan(
     let mut plan = ShadowPlan {
         views: Vec::new(),
         lights: Vec::new(),
-        splits: Few::default(),
+        splits: ArrayVec::default(),
         layout,
         camera: *camera,
         outline: Outline::default(),
@@ -92,16 +92,16 @@ impl ShadowPlan {
         self.views.clear();
         for (index, light) in lights.iter().enumerate() {
             let job = Job { index, light, camera, bounds, settings, tiles: &tiles };
-            match light.rays {
-                Rays::Directional { .. } => {
+            match light.kind {
+                LightKind::Directional { .. } => {
                     let splits = self.splits;
                     self.add_splits(&job, &splits);
                 }
-                Rays::Spot { .. } => {
+                LightKind::Spot { .. } => {
                     let splits = spot_splits(&job, camera.near()..far);
                     self.add_splits(&job, &splits);
                 }
-                Rays::Point { .. } => {
+                LightKind::Point { .. } => {
                     let depths = f64::from(camera.near())..f64::from(far);
                     (0..FACES as usize)
                         .for_each(|face| self.add_view(&job, face, depths.clone(), depths.clone()));
@@ -126,8 +126,8 @@ impl ShadowPlan {
         let index = self.views.len();
         let Job { light, camera, bounds, settings, tiles, .. } = *job;
         let tile = tiles[index];
-        let beam = Beam::of(light.rays, split, tile.size, bounds, settings);
-        let slice = Slice { camera, depths: fitted, beam, resolution: tile.size, bounds, settings };
+        let light_frustum = LightFrustum::of(light.kind, split, tile.size, bounds, settings);
+        let slice = Slice { camera, depths: fitted, light_frustum, resolution: tile.size, bounds, settings };
         let fitted = fit(&slice, &mut self.outline);
         self.views.push(ShadowView {
             index,
@@ -139,7 +139,7 @@ impl ShadowPlan {
             texel_metres: finite(fitted.texel_metres),
             depth_metres: finite(fitted.metres.end - fitted.metres.start),
             near_metres: finite(fitted.metres.start),
-            spreads: !matches!(light.rays, Rays::Directional { .. }),
+            spreads: !matches!(light.kind, LightKind::Directional { .. }),
             inverse_weight: finite_vector(fitted.inverse_weight),
             tile,
             unclipped_depth: fitted.unclipped_depth,
@@ -183,13 +183,13 @@ struct Job<'a> {
 }
 
 /// Cuts the view depths that a spot reaches; all of them where it reaches nothing.
-fn spot_splits(job: &Job<'_>, depths: Range<f32>) -> Few<f64, { MAX_SPLITS + 1 }> {
+fn spot_splits(job: &Job<'_>, depths: Range<f32>) -> ArrayVec<f64, { MAX_SPLITS + 1 }> {
     let Job { light, camera, bounds, settings, .. } = *job;
     let all = f64::from(depths.start)..f64::from(depths.end);
-    let beam = Beam::of(light.rays, 0, settings.resolution, bounds, settings);
+    let light_frustum = LightFrustum::of(light.kind, 0, settings.resolution, bounds, settings);
     let (eye, forward) = (camera.eye().as_dvec3(), camera.forward().as_dvec3());
     let mut reached = f64::INFINITY..f64::NEG_INFINITY;
-    if let Beam::Spread(pyramid) = beam {
+    if let LightFrustum::Spread(pyramid) = light_frustum {
         let body = ConvexBody::of_slice(&camera.slice_corners(all)).clipped_by_all(&pyramid.planes());
         for depth in body.corners().map(|corner| forward.dot(corner - eye)) {
             reached = reached.start.min(depth)..reached.end.max(depth);

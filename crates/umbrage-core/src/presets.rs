@@ -250,7 +250,7 @@ pub const PRESETS: &[Preset] = &[
 /// Maps of so many texels a side; a soft filter reaches over a 32nd of them.
 fn sized(resolution: u32, settings: Settings) -> Settings {
     let filter = match settings.filter {
-        Filter::Pcss(pcss) => Filter::Pcss(Pcss { most_texels: resolution as f32 / 32.0, ..pcss }),
+        Filter::Pcss(pcss) => Filter::Pcss(Pcss { max_texels: resolution as f32 / 32.0, ..pcss }),
         other => other,
     };
     Settings { resolution, filter, ..settings }

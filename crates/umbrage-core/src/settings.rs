@@ -3,7 +3,7 @@
 mod bias;
 mod shade;
 
-pub use bias::{Bias, CasterFaces, Layer};
+pub use bias::{Bias, CasterFaces, DepthLayer};
 pub use shade::Shade;
 
 use crate::SettingsError;
@@ -238,9 +238,9 @@ impl Settings {
                 why: "a warp follows the camera, and a stable map does not",
             });
         }
-        if bias.layer != Layer::First && bias.casters != CasterFaces::Both {
+        if bias.depth_layer != DepthLayer::First && bias.casters != CasterFaces::Both {
             return Err(SettingsError::Conflict {
-                this: "`bias.layer`",
+                this: "`bias.depth_layer`",
                 other: "`bias.casters`",
                 why: "the second surface is looked for among all faces",
             });
@@ -290,7 +290,7 @@ mod tests {
         assert_eq!(key(Settings { distance: Some(-1.0), ..default() }), "distance");
         assert_eq!(key(Settings { filter: Filter::Pcf { size: 4 }, ..default() }), "filter.size");
         assert_eq!(key(Settings { filter: Filter::Pcf { size: 9 }, resolution: 16, ..default() }), "filter");
-        let prefilter = Prefilter { shrink: 2, ..Prefilter::default() };
+        let prefilter = Prefilter { downsample: 2, ..Prefilter::default() };
         let filter = Filter::Msm(FourMoments { prefilter, ..FourMoments::default() });
         assert_eq!(key(Settings { filter, resolution: 333, ..default() }), "resolution");
         let filter = Filter::Evsm4(ExponentialVariance {

@@ -8,7 +8,7 @@
 
 use std::ops::Range;
 
-use crate::few::Few;
+use crate::few::ArrayVec;
 use crate::settings::{MAX_SPLITS, Scheme, Settings};
 
 /// Splits are at least this share of the whole depth range deep, so that none is empty.
@@ -18,12 +18,12 @@ const MIN_SHARE: f64 = 1e-6;
 ///
 /// With `settings.near` (a virtual near) the inner distances are those of a range that starts there; C_0 stays, so that
 /// what is nearer still gets shadows. `depths` must be finite with 0 < start < end and `settings` valid.
-pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Few<f64, { MAX_SPLITS + 1 }> {
+pub fn split_distances(depths: Range<f32>, settings: &Settings) -> ArrayVec<f64, { MAX_SPLITS + 1 }> {
     let (near, far) = (f64::from(depths.start), f64::from(depths.end));
     let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
     let count = settings.splits;
     let least = (far - near) * MIN_SHARE;
-    let mut distances = Few::default();
+    let mut distances = ArrayVec::default();
     let mut fits = distances.push(near);
     let mut previous = near;
     for i in 1..count {

@@ -6,8 +6,8 @@ use glam::{DVec3, Mat4, Vec2, Vec3};
 
 use crate::cull::ConvexVolume;
 use crate::error::SettingsError;
-use crate::few::Few;
-use crate::light::{FACES, Light, Rays};
+use crate::few::ArrayVec;
+use crate::light::{FACES, Light, LightKind};
 use crate::settings::{DepthFormat, MAX_LIGHTS, MAX_SPLITS, Settings, Storage, check_resolution};
 
 /// The most views that a plan can have.
@@ -29,7 +29,7 @@ pub struct ShadowView {
     /// The view depths it serves, metres.
     pub depths: Range<f32>,
     /// The longer side of its largest texel on a receiver that faces the light, metres. Texels are all as large where
-    /// there is neither a warp nor a cone; [`Self::texel_at`] knows them one by one.
+    /// there is neither a warp nor a cone; [`Self::texel_basis_at`] knows them one by one.
     pub texel_metres: f32,
     /// From its near plane to its far one along the light's axis, metres.
     pub depth_metres: f32,
@@ -63,7 +63,7 @@ impl ShadowView {
 impl ShadowView {
     /// How far along the light's axis a depth is that is stored at a place of the tile, given in texels: 0 on the near
     /// plane, 1 on the far one, and even between.
-    pub fn even_depth(&self, texel: Vec2, stored: f32) -> f32 {
+    pub fn linear_depth(&self, texel: Vec2, stored: f32) -> f32 {
         // Nothing was drawn. A warp would make a place of that: beside its receivers, and beyond its line at infinity, the
         // far plane is not at 1.
         if stored >= 1.0 {
@@ -143,10 +143,10 @@ impl MapLayout {
 impl Light {
     /// How many shadow views it makes.
     pub fn views(&self, settings: &Settings) -> u32 {
-        match self.rays {
-            Rays::Directional { .. } => settings.splits,
-            Rays::Spot { .. } => settings.spot_splits,
-            Rays::Point { .. } => FACES,
+        match self.kind {
+            LightKind::Directional { .. } => settings.splits,
+            LightKind::Spot { .. } => settings.spot_splits,
+            LightKind::Point { .. } => FACES,
         }
     }
 
@@ -163,8 +163,8 @@ impl Light {
 pub(crate) fn tile_sizes(
     settings: &Settings,
     lights: &[Light],
-) -> Result<Few<u32, MAX_VIEWS>, SettingsError> {
-    let mut sizes = Few::default();
+) -> Result<ArrayVec<u32, MAX_VIEWS>, SettingsError> {
+    let mut sizes = ArrayVec::default();
     for light in lights {
         let size = light.tile_size(settings)?;
         for _ in 0..light.views(settings) {

@@ -1,7 +1,7 @@
 //! What one light's shadows in a picture come to, against the truth, and what those of several do together.
 
 use rayon::prelude::*;
-use umbrage::{Rays, Settings, ShadowPlan};
+use umbrage::{LightKind, Settings, ShadowPlan};
 use umbrage_judge::{Claim, DepthBand, Edges, Error, Part, Pixel, Receiver, Smooth, Truth, World};
 
 use crate::aliasing::Aliasing;
@@ -34,7 +34,7 @@ impl Judgement {
         let texel_metres = texel_metres(plan, settings, light, truth);
         let claim = Claim { visibility, texel_metres: &texel_metres };
         // Lamps' views are cut elsewhere, or not at all.
-        let is_sun = matches!(plan.lights()[light].rays, Rays::Directional { .. });
+        let is_sun = matches!(plan.lights()[light].kind, LightKind::Directional { .. });
         let cuts = if is_sun { plan.splits() } else { &[] };
         let counts = TruthCounts {
             pixels: truth.judged(),
@@ -103,7 +103,7 @@ fn texel_metres(plan: &ShadowPlan, settings: &Settings, light: usize, truth: &Tr
     let size = |receiver: &Receiver| {
         let (position, normal) = (receiver.position.as_vec3(), receiver.normal.as_vec3());
         let view = umbrage::view_of(plan, settings, light, position, normal);
-        view.map_or(0.0, |view| view.texel_at(position).texel_metres())
+        view.map_or(0.0, |view| view.texel_basis_at(position).texel_metres())
     };
     truth.receivers.par_iter().map(|receiver| receiver.as_ref().map_or(0.0, size)).collect()
 }

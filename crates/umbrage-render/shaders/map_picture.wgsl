@@ -23,7 +23,7 @@ fn depth_at(texel: vec2u) -> f32 {
     let view = umbrage_frame.views[look.view];
     let stored = textureLoad(maps, vec2u(view.tile_origin) + texel, view.layer, 0);
     if look.even == 1u && stored < 1.0 {
-        return clamp(umbrage_even_depth(look.view, vec2f(texel) + 0.5, stored), 0.0, 1.0);
+        return clamp(umbrage_linear_depth(look.view, vec2f(texel) + 0.5, stored), 0.0, 1.0);
     }
     return stored;
 }

@@ -8,7 +8,7 @@
 //! over the disc that it looks like, for they are the 3-sphere's without their fourth coordinate (Archimedes).
 
 use glam::Vec3;
-use umbrage::{Light, LightError, Rays};
+use umbrage::{Light, LightError, LightKind};
 use web_time::Instant;
 
 use crate::convert::WIDEST_HALF_ANGLE;
@@ -62,19 +62,18 @@ impl Area {
         let half_angle = 0.5 * self.degrees.to_radians();
         let place = place(sample, self.samples);
         let aside = place * half_angle;
-        let moved = match light.rays {
-            Rays::Directional { direction } => {
+        let moved = match light.kind {
+            LightKind::Directional { direction } => {
                 let (right, up) = direction.any_orthonormal_pair();
                 let aside = (right * place.x + up * place.y) * half_angle.tan();
                 Light::directional(direction - aside)?
             }
             // A cone that is wider by as much as a metre off its tip, so that its map still holds what the middle shines at.
-            Rays::Spot { position, direction, half_angle, range } => {
+            LightKind::Spot { position, direction, half_angle, range } => {
                 let wider = (half_angle + aside.length().atan()).min(half_angle.max(WIDEST_HALF_ANGLE));
                 Light::spot(position + aside, direction, wider, range + aside.length())?
             }
-            Rays::Point { position, range } => Light::point(position + aside, range + aside.length())?,
-            _ => *light,
+            LightKind::Point { position, range } => Light::point(position + aside, range + aside.length())?,
         };
         // A sample is a point: the samples are the size.
         Ok(Light { resolution: light.resolution, size: Some(0.0), ..moved })
@@ -220,7 +219,7 @@ mod tests {
             let turned = area.moved(&sun, sample).unwrap().direction_from(Vec3::ZERO);
             let angle = turned.angle_between(sun.direction_from(Vec3::ZERO)).to_degrees();
             assert!(angle <= 5.001, "{angle}°");
-            let Rays::Point { position, .. } = area.moved(&lamp, sample).unwrap().rays else {
+            let LightKind::Point { position, .. } = area.moved(&lamp, sample).unwrap().kind else {
                 panic!("a point")
             };
             assert!(position.distance(Vec3::new(1.0, 2.0, 3.0)) <= 5f32.to_radians() + 1e-6, "{position}");

@@ -2,7 +2,7 @@
 
 use encase::{ShaderType, UniformBuffer};
 use glam::{Mat4, Vec3, Vec4};
-use umbrage::{ContactShadows, MAX_LIGHTS, Rays, Settings, Shadows, contact_wgsl};
+use umbrage::{ContactShadows, LightKind, MAX_LIGHTS, Settings, Shadows, contact_wgsl};
 
 use crate::draws::Draw;
 use crate::error::RenderError;
@@ -245,7 +245,7 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
     for (slot, lamp) in lamps.iter_mut().zip(&frame.lamps) {
         *slot = lamp_uniform(lamp);
     }
-    let sun = frame.lamps.iter().find(|lamp| matches!(lamp.light.rays, Rays::Directional { .. }));
+    let sun = frame.lamps.iter().find(|lamp| matches!(lamp.light.kind, LightKind::Directional { .. }));
     SceneUniform {
         clip_from_world,
         world_from_clip: clip_from_world.inverse(),
@@ -275,8 +275,8 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
 fn lamp_uniform(lamp: &Lamp) -> LampUniform {
     let Lamp { light, colour, cone: [inner, outer] } = *lamp;
     let everywhere = LampUniform { colour, cone_scale: 0.0, cone_offset: 1.0, ..LampUniform::default() };
-    match light.rays {
-        Rays::Spot { position, direction, range, .. } => {
+    match light.kind {
+        LightKind::Spot { position, direction, range, .. } => {
             // As KHR_lights_punctual has it.
             let cone_scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);
             LampUniform {
@@ -288,8 +288,10 @@ fn lamp_uniform(lamp: &Lamp) -> LampUniform {
                 ..everywhere
             }
         }
-        Rays::Point { position, range } => LampUniform { place: position.extend(1.0), range, ..everywhere },
-        _ => LampUniform { place: light.direction_from(Vec3::ZERO).extend(0.0), ..everywhere },
+        LightKind::Point { position, range } => {
+            LampUniform { place: position.extend(1.0), range, ..everywhere }
+        }
+        LightKind::Directional { direction } => LampUniform { place: (-direction).extend(0.0), ..everywhere },
     }
 }
 

@@ -10,7 +10,7 @@ impl Viewer {
         ui.heading("Truth");
         let Some(choices) = &mut self.choices else { return };
         ui.checkbox(&mut choices.overlay, "show what is wrong").on_hover_text(
-            "Rays to every light, tile by tile, once the picture holds still (T). Orange: shadowed, and should be lit. Blue: lit, and should be shadowed. Dark: not judged.",
+            "LightKind to every light, tile by tile, once the picture holds still (T). Orange: shadowed, and should be lit. Blue: lit, and should be shadowed. Dark: not judged.",
         );
         if choices.overlay {
             if choices.frozen.is_some() {

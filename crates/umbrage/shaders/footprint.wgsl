@@ -4,7 +4,7 @@
 /// From the matrices, since neighbouring pixels may belong to other surfaces.
 fn umbrage_footprint(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> mat2x2f {
     let clip = umbrage_frame.views[lookup.view_index].clip_from_world * vec4f(receiver.position, 1.0);
-    let footing = umbrage_footing(lookup.view_index, clip);
+    let texel_basis = umbrage_texel_basis(lookup.view_index, clip);
     let point = vec4f(receiver.position, 1.0);
     let w = dot(umbrage_frame.clip_w_row, point);
     let half = 0.5 * umbrage_frame.picture_size / w;
@@ -18,6 +18,6 @@ fn umbrage_footprint(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> mat2x2
     let pixel_right = cross(up, normal) * scale;
     let pixel_up = cross(normal, right) * scale;
     return mat2x2f(
-        vec2f(dot(footing.right_gradient, pixel_right), dot(footing.down_gradient, pixel_right)),
-        vec2f(dot(footing.right_gradient, pixel_up), dot(footing.down_gradient, pixel_up)));
+        vec2f(dot(texel_basis.right_gradient, pixel_right), dot(texel_basis.down_gradient, pixel_right)),
+        vec2f(dot(texel_basis.right_gradient, pixel_up), dot(texel_basis.down_gradient, pixel_up)));
 }

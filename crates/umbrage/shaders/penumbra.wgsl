@@ -16,5 +16,5 @@ fn umbrage_penumbra(lookup: UmbrageLookup, receiver: f32, blocker: f32) -> f32 {
 /// That disc in texels, to the right and downward: at least half a texel, and at most as far as maps have room.
 fn umbrage_penumbra_texels(lookup: UmbrageLookup, receiver: f32, blocker: f32) -> vec2f {
     let metres = umbrage_penumbra(lookup, receiver, blocker);
-    return clamp(metres / max(lookup.texel_metres, vec2f(1.1754944e-38)), vec2f(0.5), vec2f(UMBRAGE_MOST_TEXELS));
+    return clamp(metres / max(lookup.texel_metres, vec2f(1.1754944e-38)), vec2f(0.5), vec2f(UMBRAGE_MAX_TEXELS));
 }

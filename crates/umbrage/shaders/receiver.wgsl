@@ -1,7 +1,7 @@
 // What a receiver's fragment shader needs: how much of a light reaches a point, 1 for all and 0 for none.
 //
-// `umbrage_footing` comes from `footing.wgsl`, `umbrage_select` from a file of `select/`, `umbrage_gradient` and
-// `umbrage_lift` from one of `reference/`, `umbrage_offset_reach` from one of `reach/`, `umbrage_filter` from one of
+// `umbrage_texel_basis` comes from `texel_basis.wgsl`, `umbrage_select` from a file of `select/`, `umbrage_gradient` and
+// `umbrage_normal_offset` from one of `reference/`, `umbrage_offset_reach` from one of `reach/`, `umbrage_filter` from one of
 // `filter/`, `umbrage_blend` from one of `blend/`, `umbrage_shade` from one of `shade/`.
 
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
@@ -56,29 +56,29 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     if clip_unbiased.w <= 0.0 {
         return UmbrageLookup(view_index, light, vec2f(-1.0), 2.0, vec2f(0.0), vec2f(1.0));
     }
-    let footing = umbrage_footing(view_index, clip_unbiased);
+    let texel_basis = umbrage_texel_basis(view_index, clip_unbiased);
     let to_light = umbrage_direction_to_light(light, world_position);
     let cosine = clamp(dot(world_normal, to_light), 0.0, 1.0);
     let sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     let tangent = min(sine / max(cosine, 1e-6), umbrage_frame.bias_slope_limit);
-    let texel_metres = max(length(footing.right), length(footing.down));
+    let texel_metres = max(length(texel_basis.right), length(texel_basis.down));
     let texels = umbrage_frame.bias_normal * umbrage_offset_reach(texel_metres);
-    let lift = texels * umbrage_lift(footing, world_normal, to_light);
-    let receiver = world_position + world_normal * lift;
+    let normal_offset = texels * umbrage_normal_offset(texel_basis, world_normal, to_light);
+    let receiver = world_position + world_normal * normal_offset;
     let clip = clip_from_world * vec4f(receiver, 1.0);
     // Toward the light: the place on the map stays.
     let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent;
-    let nearer = dot(footing.depth_gradient, to_light) * toward_light;
+    let nearer = dot(texel_basis.depth_gradient, to_light) * toward_light;
     // Rasterisers round corners, so what is stored may be the depth of a place beside.
-    let slope = umbrage_slope(footing, world_normal, cosine);
+    let slope = umbrage_slope(texel_basis, world_normal, cosine);
     let rounded = dot(abs(slope), vec2f(UMBRAGE_RASTER_STEP)) + umbrage_frame.depth_step;
     var lookup: UmbrageLookup;
     lookup.view_index = view_index;
     lookup.light = light;
-    lookup.texel_metres = vec2f(length(footing.right), length(footing.down));
+    lookup.texel_metres = vec2f(length(texel_basis.right), length(texel_basis.down));
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.reference = clip.z / clip.w + nearer - rounded;
-    lookup.gradient = umbrage_gradient(footing, world_normal, to_light);
+    lookup.gradient = umbrage_gradient(texel_basis, world_normal, to_light);
     return lookup;
 }
 
@@ -91,7 +91,7 @@ fn umbrage_uv(view_index: u32, texel: vec2f) -> vec2f {
 
 /// The depth to compare with at a place of the tile, given in texels: that of the lookup's plane there. Nothing that is
 /// stored lies beyond 1.
-fn umbrage_reference(lookup: UmbrageLookup, texel: vec2f) -> f32 {
+fn umbrage_compare_depth(lookup: UmbrageLookup, texel: vec2f) -> f32 {
     return min(lookup.reference + dot(lookup.gradient, texel - lookup.texel), 1.0);
 }
 
@@ -102,7 +102,7 @@ fn umbrage_lit(lookup: UmbrageLookup, centre: vec2f) -> f32 {
     // The texel's centre: samplers round coordinates to fewer bits than f32 has. Not a load, which GL has not for depth.
     let uv = umbrage_uv(lookup.view_index, inside);
     let layer = umbrage_frame.views[lookup.view_index].layer;
-    return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, layer, umbrage_reference(lookup, inside));
+    return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, layer, umbrage_compare_depth(lookup, inside));
 }
 
 /// The face of a cube around a lamp that a world-space point is seen through: that of the largest part of its direction.

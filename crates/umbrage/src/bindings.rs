@@ -96,7 +96,7 @@ fn smooth_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
         mag_filter: wgpu::FilterMode::Linear,
         min_filter: wgpu::FilterMode::Linear,
         mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        anisotropy_clamp: if prefilter.levels > 1 { prefilter.anisotropy as u16 } else { 1 },
+        anisotropy_clamp: if prefilter.mip_levels > 1 { prefilter.anisotropy as u16 } else { 1 },
         ..Default::default()
     })
 }

@@ -2,7 +2,7 @@
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{Light, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan};
+use umbrage_core::{Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan};
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct GpuView {
@@ -111,16 +111,15 @@ fn sides([width, height]: [u32; 2]) -> Vec2 {
 
 fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) -> GpuLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
-    let place = match light.rays {
-        Rays::Spot { position, .. } | Rays::Point { position, .. } => position.extend(1.0),
-        // Suns, and whatever may come, which has a direction everywhere.
-        _ => light.direction_from(Vec3::ZERO).extend(0.0),
+    let place = match light.kind {
+        LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position.extend(1.0),
+        LightKind::Directional { direction } => (-direction).extend(0.0),
     };
     GpuLight {
         place,
         first_view: views.next().map_or(0, |view| view.index as u32),
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
-        is_cube: u32::from(matches!(light.rays, Rays::Point { .. })),
+        is_cube: u32::from(matches!(light.kind, LightKind::Point { .. })),
         size: light.half_size(settings.filter.light_size().unwrap_or_default()),
     }
 }

@@ -1,10 +1,10 @@
-//! The first two surfaces that the light meets, and the one depth that is made of them (`bias.layer` of the settings).
+//! The first two surfaces that the light meets, and the one depth that is made of them (`bias.depth_layer` of the settings).
 //!
 //! Casters are drawn twice: into the first texture as ever, and into the second without what the first one shows. Then a
 //! triangle over every tile writes what is stored. Sources: Wang & Molnar 1994 (second depth), Woo 1992 (midpoint), Weiskopf
 //! & Ertl 2003 (dual), Everitt 2001 (peeling).
 
-use umbrage_core::{Layer, MapLayout, Settings, ShadowPlan, ShadowView};
+use umbrage_core::{DepthLayer, MapLayout, Settings, ShadowPlan, ShadowView};
 
 use crate::capabilities::Capabilities;
 use crate::compute::{DEPTH_MAPS, Inputs, frame_and_view, frame_entry, view_entry};
@@ -32,18 +32,19 @@ impl Layers {
         capabilities: Capabilities,
         layout: MapLayout,
     ) -> Option<Self> {
-        let joined = match settings.bias.layer {
-            Layer::First => return None,
-            Layer::Second => include_str!("../shaders/layers/second.wgsl"),
-            Layer::Midpoint => include_str!("../shaders/layers/midpoint.wgsl"),
-            Layer::Dual => include_str!("../shaders/layers/dual.wgsl"),
+        let joined = match settings.bias.depth_layer {
+            DepthLayer::First => return None,
+            DepthLayer::Second => include_str!("../shaders/layers/second.wgsl"),
+            DepthLayer::Midpoint => include_str!("../shaders/layers/midpoint.wgsl"),
+            DepthLayer::Dual => include_str!("../shaders/layers/dual.wgsl"),
         };
         let device = inputs.device;
         let (first, second) =
             (Maps::of(device, layout, capabilities), Maps::of(device, layout, capabilities));
         let peel_layout = group_layout(device, wgpu::ShaderStages::VERTEX_FRAGMENT, 1);
         let join_layout = group_layout(device, wgpu::ShaderStages::FRAGMENT, 2);
-        let limit = format!("const UMBRAGE_LAYER_LIMIT: f32 = {:?};\n", settings.bias.layer_limit);
+        let limit =
+            format!("const UMBRAGE_DEPTH_LAYER_LIMIT: f32 = {:?};\n", settings.bias.depth_layer_limit);
         let text = [FRAME, DEPTH, &limit, joined, include_str!("../shaders/layers/join.wgsl")].join("\n");
         let join = join_pipeline(device, &join_layout, &text, texture_format(layout.depth));
         let peel_group = group(inputs, &peel_layout, &[&first.all]);

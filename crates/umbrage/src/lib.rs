@@ -43,7 +43,7 @@ pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
 pub use contact::{ContactShadows, contact_wgsl};
 pub use error::ShadowError;
-pub use lookup::{Asker, Lookup, Place, view_of};
+pub use lookup::{Lookup, Place, Query, view_of};
 pub use maps::MapTexels;
 #[doc(hidden)]
 pub use moments::{moments_wgsl, msm_blocker_wgsl};

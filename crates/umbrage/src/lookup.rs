@@ -1,13 +1,13 @@
 //! The lookup of the shaders once more, in Rust: the oracle that the GPU is tested against, and a way to ask for
 //! visibility without one.
 //!
-//! Mirrors `shaders/receiver.wgsl` and `footing.wgsl`, and the files of `select/`, `reference/`, `filter/` and `blend/`, in f32
+//! Mirrors `shaders/receiver.wgsl` and `texel_basis.wgsl`, and the files of `select/`, `reference/`, `filter/` and `blend/`, in f32
 //! as they do.
 
 mod reader;
 
 use glam::{Vec2, Vec3};
-use umbrage_core::{RASTER_STEP_TEXELS, Rays, Select, Settings, ShadowPlan, ShadowView};
+use umbrage_core::{LightKind, RASTER_STEP_TEXELS, Select, Settings, ShadowPlan, ShadowView};
 
 use self::reader::Reader;
 
@@ -39,7 +39,7 @@ pub struct Place {
 
 /// Who asks for visibility.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asker {
+pub struct Query {
     /// World space, metres.
     pub position: Vec3,
     /// Unit, geometric.
@@ -106,7 +106,7 @@ impl Lookup<'_> {
         self.filter(
             view,
             place,
-            &Asker { position: receiver.position, normal: receiver.normal, pixel: receiver.pixel },
+            &Query { position: receiver.position, normal: receiver.normal, pixel: receiver.pixel },
         )
     }
 
@@ -118,7 +118,7 @@ impl Lookup<'_> {
         if blend == 0.0 {
             return own;
         }
-        let is_cube = matches!(self.plan.lights()[view.light].rays, Rays::Point { .. });
+        let is_cube = matches!(self.plan.lights()[view.light].kind, LightKind::Point { .. });
         let share = match self.settings.select {
             Select::Depth | Select::ClipDepth => {
                 (view.depths.end - receiver.depth) / ((view.depths.end - view.depths.start) * blend)
@@ -141,7 +141,7 @@ impl Lookup<'_> {
 
     /// What the filter makes of a place in a view's tile. Who asks matters to filters with noise and to footprints, which
     /// are those of a picture of 1920 × 1080 here. Moments are read at their full size.
-    pub fn filter(&self, view: &ShadowView, place: &Place, asker: &Asker) -> f32 {
+    pub fn filter(&self, view: &ShadowView, place: &Place, asker: &Query) -> f32 {
         let Self { plan, settings, maps } = *self;
         Reader { plan, settings, maps, view, place: *place }.visibility(asker)
     }
@@ -172,7 +172,7 @@ impl<'a> Receiver<'a> {
 
     /// The view that serves it.
     fn view(&self) -> Option<&'a ShadowView> {
-        if let Rays::Point { position, .. } = self.plan.lights()[self.light].rays {
+        if let LightKind::Point { position, .. } = self.plan.lights()[self.light].kind {
             return self.views().nth(face(self.position - position));
         }
         let ends = || self.views().take(self.views().count().saturating_sub(1)).map(|view| view.depths.end);
@@ -215,18 +215,18 @@ impl<'a> Receiver<'a> {
             return Place { texel, reference: 2.0, gradient, texel_metres: Vec2::ONE };
         }
         let to_light = self.plan.lights()[view.light].direction_from(position);
-        let footing = view.texel_at(position);
-        let bias = settings.bias_metres(&footing, normal, to_light);
+        let texel_basis = view.texel_basis_at(position);
+        let bias = settings.bias_metres(&texel_basis, normal, to_light);
         let ndc = view.clip_from_world.project_point3(position + normal * bias.along_normal);
         Place {
             texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
             reference: ndc.z
-                - footing.rise(to_light) * bias.toward_light
-                - footing.slope(normal, to_light, settings.filter.steepest_plane()).abs().element_sum()
+                - texel_basis.rise(to_light) * bias.toward_light
+                - texel_basis.slope(normal, to_light, settings.filter.steepest_plane()).abs().element_sum()
                     * RASTER_STEP_TEXELS
                 - settings.depth.step(),
-            gradient: settings.reference_gradient(&footing, normal, to_light),
-            texel_metres: Vec2::new(footing.right.length(), footing.down.length()),
+            gradient: settings.reference_gradient(&texel_basis, normal, to_light),
+            texel_metres: Vec2::new(texel_basis.right.length(), texel_basis.down.length()),
         }
     }
 }

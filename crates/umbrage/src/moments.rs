@@ -5,12 +5,12 @@
 //! * `umbrage_moments_of(depth, slope) -> vec4f`
 //! * `umbrage_moments_none() -> vec4f`
 //! * `umbrage_moments_add(sum, moments, weight) -> vec4f`
-//! * `umbrage_moments_visibility(moments, depth, least_deviation) -> f32`; the least deviation is of the depth range
+//! * `umbrage_moments_visibility(moments, depth, min_standard_deviation) -> f32`; the least deviation is of the depth range
 
 use umbrage_core::{Esm, Evsm2, Evsm4, Moments, Msm, Vsm};
 
 const MEAN: &str = include_str!("../shaders/moments/mean.wgsl");
-const BLEED: &str = include_str!("../shaders/moments/bleed.wgsl");
+const BLEED: &str = include_str!("../shaders/moments/light_bleed_reduction.wgsl");
 const CHEBYSHEV: &str = include_str!("../shaders/moments/chebyshev.wgsl");
 const EVSM: &str = include_str!("../shaders/moments/evsm.wgsl");
 
@@ -36,16 +36,27 @@ pub fn msm_blocker_wgsl(msm: &Msm) -> String {
 /// The parameters of the moments, by the names that their files have for them.
 fn constants(moments: &Moments) -> String {
     let constants = match *moments {
-        Moments::Vsm(Vsm { least_variance: _, bleed }) => vec![("BLEED", bleed)],
+        Moments::Vsm(Vsm { least_variance: _, light_bleed_reduction }) => {
+            vec![("BLEED", light_bleed_reduction)]
+        }
         Moments::Esm(Esm { exponent }) => vec![("EXPONENT", exponent)],
-        Moments::Evsm2(Evsm2 { exponent, least_variance: _, bleed }) => {
-            vec![("EXPONENT", exponent.get()), ("BLEED", bleed)]
+        Moments::Evsm2(Evsm2 { exponent, least_variance: _, light_bleed_reduction }) => {
+            vec![("EXPONENT", exponent.get()), ("BLEED", light_bleed_reduction)]
         }
-        Moments::Evsm4(Evsm4 { positive, negative, least_variance: _, bleed }) => {
-            vec![("EXPONENT", positive.get()), ("NEGATIVE_EXPONENT", negative.get()), ("BLEED", bleed)]
+        Moments::Evsm4(Evsm4 { positive, negative, least_variance: _, light_bleed_reduction }) => {
+            vec![
+                ("EXPONENT", positive.get()),
+                ("NEGATIVE_EXPONENT", negative.get()),
+                ("BLEED", light_bleed_reduction),
+            ]
         }
-        Moments::Msm(Msm { bias, centre, bleed }) => {
-            vec![("BIAS", bias), ("CENTRE", centre), ("BLEED", bleed), ("LEAST_SHARE", Msm::LEAST_SHARE)]
+        Moments::Msm(Msm { bias, centre, light_bleed_reduction }) => {
+            vec![
+                ("BIAS", bias),
+                ("CENTRE", centre),
+                ("BLEED", light_bleed_reduction),
+                ("LEAST_SHARE", Msm::LEAST_SHARE),
+            ]
         }
     };
     let line = |(name, value)| format!("const UMBRAGE_MOMENTS_{name}: f32 = {value:?};\n");

@@ -54,7 +54,7 @@ impl MomentFormat {
 
     /// How many sizes are wanted: one, where samplers do not choose among them.
     pub fn levels(&self, prefilter: &Prefilter) -> u32 {
-        if self.is_filterable { prefilter.levels } else { 1 }
+        if self.is_filterable { prefilter.mip_levels } else { 1 }
     }
 }
 
@@ -85,7 +85,7 @@ impl MomentMaps {
     ) -> Option<Self> {
         let prefilter = *filter.prefilter()?;
         let format = MomentFormat::of(filter, capabilities);
-        let size = [layout.width, layout.height].map(|side| side.div_ceil(prefilter.shrink));
+        let size = [layout.width, layout.height].map(|side| side.div_ceil(prefilter.downsample));
         // No texture has a size below one texel.
         let levels = format.levels(&prefilter).min(size[0].max(size[1]).max(1).ilog2() + 1);
         let layers = layout.layers.max(capabilities.least_layers);
@@ -137,7 +137,7 @@ impl MomentMaps {
     /// Makes the moments of a plan's views.
     pub fn record(&self, pass: &mut wgpu::ComputePass<'_>, plan: &ShadowPlan) {
         for view in plan.views() {
-            let (layer, side) = (view.tile.layer as usize, view.tile.size / self.prefilter.shrink);
+            let (layer, side) = (view.tile.layer as usize, view.tile.size / self.prefilter.downsample);
             self.convert[layer].record(pass, view.index, [side.div_ceil(8); 2]);
             for steps in self.blur.iter().flatten() {
                 steps[layer].record(pass, view.index, [side.div_ceil(64), side]);
@@ -182,8 +182,8 @@ fn text(filter: &Filter, prefilter: &Prefilter, format: MomentFormat, step: &str
     let weights: Vec<String> =
         gaussian(prefilter.blur_texels).iter().map(|weight| format!("{weight:?}")).collect();
     let numbers = format!(
-        "const UMBRAGE_SHRINK: u32 = {}u;\nconst UMBRAGE_BLUR: i32 = {};\nconst UMBRAGE_WEIGHTS = array<f32, {}>({});\n",
-        prefilter.shrink,
+        "const UMBRAGE_DOWNSAMPLE: u32 = {}u;\nconst UMBRAGE_BLUR: i32 = {};\nconst UMBRAGE_WEIGHTS = array<f32, {}>({});\n",
+        prefilter.downsample,
         prefilter.blur_texels,
         weights.len(),
         weights.join(", "),

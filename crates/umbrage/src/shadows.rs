@@ -1,7 +1,8 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Bounds, Camera, Layer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView, plan,
+    Bounds, Camera, DepthLayer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView,
+    plan,
 };
 
 use crate::bindings;
@@ -174,7 +175,7 @@ impl Shadows {
     }
 
     /// Starts the pass that draws a view's casters: its tile is cleared, viewport, scissor and group 0 are set. Draw
-    /// the views in the plan's order. With a `bias.layer` other than the first, draw each view once more: see
+    /// the views in the plan's order. With a `bias.depth_layer` other than the first, draw each view once more: see
     /// [`Self::begin_second`].
     pub fn begin<'e>(
         &self,
@@ -197,7 +198,7 @@ impl Shadows {
         pass
     }
 
-    /// Where `bias.layer` asks for a second surface: starts the pass that draws a view's casters once more, with the pipeline
+    /// Where `bias.depth_layer` asks for a second surface: starts the pass that draws a view's casters once more, with the pipeline
     /// of [`Self::second_caster_pipeline`], after the view's first pass. `None` where it does not.
     pub fn begin_second<'e>(
         &self,
@@ -326,10 +327,12 @@ pub(crate) const PICTURE_SIZE: [u32; 2] = [1920, 1080];
 /// Whether a device can do what settings ask for.
 fn check_supported(settings: &Settings, capabilities: Capabilities) -> Result<(), ShadowError> {
     let Settings { filter, bias, .. } = settings;
-    let loads = filter.light_size().is_some() || filter.moments(1.0).is_some() || bias.layer != Layer::First;
+    let loads = filter.light_size().is_some()
+        || filter.moments(1.0).is_some()
+        || bias.depth_layer != DepthLayer::First;
     if loads && !capabilities.loads_depth {
         return Err(ShadowError::Unsupported {
-            what: "a soft filter, a filter of moments, or a second `bias.layer`",
+            what: "a soft filter, a filter of moments, or a second `bias.depth_layer`",
             missing: "shaders that read depths as numbers",
             remedy: "use Vulkan, Metal, DX12 or WebGPU, or a filter that compares, as optimised or vogel",
         });

@@ -4,16 +4,16 @@ use std::fmt::Write as _;
 
 use glam::{Vec2, Vec4};
 use umbrage_core::kernel::{POISSON, spiral, two_squares};
-use umbrage_core::{Disc, Filter, RASTER_STEP_TEXELS, Reference, Seed, Select, Settings, Shade};
+use umbrage_core::{CompareDepth, Disc, Filter, NoiseSource, RASTER_STEP_TEXELS, Select, Settings, Shade};
 
 use crate::capabilities::Capabilities;
 use crate::moments::moments_wgsl;
 use crate::prefilter::MomentFormat;
 
 pub(crate) const FRAME: &str = include_str!("../shaders/frame.wgsl");
-pub(crate) const DEPTH: &str = include_str!("../shaders/depth.wgsl");
+pub(crate) const DEPTH: &str = include_str!("../shaders/linear_depth.wgsl");
 const CASTER: &str = include_str!("../shaders/caster.wgsl");
-const FOOTING: &str = include_str!("../shaders/footing.wgsl");
+const FOOTING: &str = include_str!("../shaders/texel_basis.wgsl");
 const RECEIVER: &str = include_str!("../shaders/receiver.wgsl");
 const FADE: &str = include_str!("../shaders/blend/fade.wgsl");
 const PENUMBRA: &str = include_str!("../shaders/penumbra.wgsl");
@@ -28,7 +28,7 @@ pub fn caster_wgsl() -> String {
 }
 
 /// WGSL for a shader of your own that looks into the maps: the views and the lights, in `umbrage_frame` (binding 0 of
-/// group 0), and `umbrage_even_depth(view_index, texel, stored) -> f32`, what a stored depth is worth.
+/// group 0), and `umbrage_linear_depth(view_index, texel, stored) -> f32`, what a stored depth is worth.
 pub fn map_wgsl() -> String {
     [FRAME, DEPTH].join("\n")
 }
@@ -48,10 +48,10 @@ pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32
         Select::Depth | Select::ClipDepth => [include_str!("../shaders/blend/depth.wgsl"), FADE],
         Select::Map => [include_str!("../shaders/blend/map.wgsl"), FADE],
     };
-    let reference = match settings.reference() {
-        Reference::Plane => include_str!("../shaders/reference/plane.wgsl"),
-        Reference::Facing => include_str!("../shaders/reference/facing.wgsl"),
-        Reference::Own => include_str!("../shaders/reference/own.wgsl"),
+    let reference = match settings.compare_depth() {
+        CompareDepth::Plane => include_str!("../shaders/compare_depth/plane.wgsl"),
+        CompareDepth::Facing => include_str!("../shaders/compare_depth/facing.wgsl"),
+        CompareDepth::Own => include_str!("../shaders/compare_depth/own.wgsl"),
     };
     let shade = match settings.shade {
         Shade::Absence { .. } => include_str!("../shaders/shade/absence.wgsl"),
@@ -81,7 +81,7 @@ fn constants(settings: &Settings) -> String {
 
 /// The files that define `umbrage_filter` and `umbrage_offset_reach`, with the numbers that they ask for.
 fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
-    let is_each = matches!(settings.reference(), Reference::Plane | Reference::Facing);
+    let is_each = matches!(settings.compare_depth(), CompareDepth::Plane | CompareDepth::Facing);
     let tap = if is_each {
         include_str!("../shaders/tap/one.wgsl")
     } else {
@@ -99,15 +99,17 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
             kernel(settings, *size, tap, include_str!("../shaders/filter/optimised.wgsl"), BELL_KERNEL)
         }
         Filter::Poisson(of) => disc(of, include_str!("../shaders/points/fixed.wgsl"), tap, of.table()),
-        Filter::Stratified(of) => disc(of, include_str!("../shaders/points/picked.wgsl"), tap, of.table()),
-        Filter::Rotated(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, of.table()),
-        Filter::Vogel(of) => disc(of, include_str!("../shaders/points/turned.wgsl"), tap, spiral(of.taps)),
+        Filter::Stratified(of) => {
+            disc(of, include_str!("../shaders/points/stratified.wgsl"), tap, of.table())
+        }
+        Filter::Rotated(of) => disc(of, include_str!("../shaders/points/rotated.wgsl"), tap, of.table()),
+        Filter::Vogel(of) => disc(of, include_str!("../shaders/points/rotated.wgsl"), tap, spiral(of.taps)),
         Filter::Footprint(of) => {
             let list: Vec<String> = (0..of.taps as usize).map(|i| vector(two_squares(i))).collect();
             let mut numbers =
                 format!("const UMBRAGE_POINTS = array<vec4f, {}>({});\n", list.len(), list.join(", "));
             let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
-            let _ = writeln!(numbers, "const UMBRAGE_MOST_TEXELS: f32 = {:?};", of.most_texels);
+            let _ = writeln!(numbers, "const UMBRAGE_MAX_TEXELS: f32 = {:?};", of.max_texels);
             let files = [tap, include_str!("../shaders/filter/footprint.wgsl")];
             [fixed_reach(settings), numbers].into_iter().chain(files.map(text)).collect()
         }
@@ -116,11 +118,11 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
                 points("UMBRAGE_POINTS", &spiral(of.taps)) + &points("UMBRAGE_SEARCH", &spiral(of.blockers));
             let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
             let _ = writeln!(numbers, "const UMBRAGE_BLOCKERS: u32 = {}u;", of.blockers);
-            let _ = writeln!(numbers, "const UMBRAGE_MOST_TEXELS: f32 = {:?};", of.most_texels);
+            let _ = writeln!(numbers, "const UMBRAGE_MAX_TEXELS: f32 = {:?};", of.max_texels);
             let files = [
                 PCG,
-                noise(of.seed),
-                include_str!("../shaders/points/turned.wgsl"),
+                noise(of.noise),
+                include_str!("../shaders/points/rotated.wgsl"),
                 tap,
                 DEPTH,
                 PENUMBRA,
@@ -137,7 +139,7 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
             [fixed_reach(settings), radius, summed(settings)].into_iter().chain(files).collect()
         }
         Filter::Mssm(of) => {
-            let numbers = format!("const UMBRAGE_MOST_TEXELS: f32 = {:?};\n", of.most_texels);
+            let numbers = format!("const UMBRAGE_MAX_TEXELS: f32 = {:?};\n", of.max_texels);
             let files = [
                 include_str!("../shaders/moments/msm_blocker.wgsl"),
                 DEPTH,
@@ -166,9 +168,9 @@ fn fixed_reach(settings: &Settings) -> String {
 /// A grid of lookups: `with_sampler` where one depth serves four texels.
 fn kernel(settings: &Settings, size: u32, tap: &str, with_sampler: &str, weights: &str) -> Vec<String> {
     let size = format!("const UMBRAGE_KERNEL_SIZE: i32 = {size};\n");
-    let files = match settings.reference() {
-        Reference::Own => [tap, with_sampler],
-        Reference::Plane | Reference::Facing => [weights, include_str!("../shaders/filter/each.wgsl")],
+    let files = match settings.compare_depth() {
+        CompareDepth::Own => [tap, with_sampler],
+        CompareDepth::Plane | CompareDepth::Facing => [weights, include_str!("../shaders/filter/each.wgsl")],
     };
     [fixed_reach(settings), size].into_iter().chain(files.map(text)).collect()
 }
@@ -178,12 +180,12 @@ fn disc(disc: &Disc, place: &str, tap: &str, of: Vec<Vec2>) -> Vec<String> {
     let whole = Disc { taps: POISSON.len() as u32, ..*disc };
     let mut numbers = points("UMBRAGE_POINTS", &of) + &points("UMBRAGE_TABLE", &whole.table());
     let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.len());
-    let _ = writeln!(numbers, "const UMBRAGE_BAIL: bool = {};", disc.bail);
+    let _ = writeln!(numbers, "const UMBRAGE_EARLY_OUT: bool = {};", disc.early_out);
     let _ = writeln!(numbers, "const UMBRAGE_FARTHEST: f32 = {:?};", disc.farthest());
     let files = [
         include_str!("../shaders/reach/disc.wgsl"),
         PCG,
-        noise(disc.seed),
+        noise(disc.noise),
         place,
         tap,
         include_str!("../shaders/filter/disc.wgsl"),
@@ -200,11 +202,11 @@ fn vector(point: Vec4) -> String {
     format!("vec4f({:?}, {:?}, {:?}, {:?})", point.x, point.y, point.z, point.w)
 }
 
-fn noise(seed: Seed) -> &'static str {
-    match seed {
-        Seed::Screen => include_str!("../shaders/noise/screen.wgsl"),
-        Seed::World => include_str!("../shaders/noise/world.wgsl"),
-        Seed::None => include_str!("../shaders/noise/none.wgsl"),
+fn noise(noise: NoiseSource) -> &'static str {
+    match noise {
+        NoiseSource::Screen => include_str!("../shaders/noise/screen.wgsl"),
+        NoiseSource::World => include_str!("../shaders/noise/world.wgsl"),
+        NoiseSource::None => include_str!("../shaders/noise/none.wgsl"),
     }
 }
 
@@ -231,9 +233,9 @@ fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
         (true, 1) => include_str!("../shaders/sample/level.wgsl"),
         (true, _) => include_str!("../shaders/sample/footprint.wgsl"),
     };
-    let inset = 0.5 * prefilter.shrink as f32;
-    let numbers =
-        format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n") + &least_deviation(&settings.filter);
+    let inset = 0.5 * prefilter.downsample as f32;
+    let numbers = format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n")
+        + &min_standard_deviation(&settings.filter);
     let files = [
         DEPTH,
         include_str!("../shaders/sample/inside.wgsl"),
@@ -248,13 +250,13 @@ fn summed(settings: &Settings) -> String {
     let Some(moments) = settings.filter.moments(1.0) else { return String::new() };
     let scale = settings.filter.sum_steps();
     format!("const UMBRAGE_SUM_SCALE: f32 = {scale:?};\n")
-        + &least_deviation(&settings.filter)
+        + &min_standard_deviation(&settings.filter)
         + &moments_wgsl(&moments)
 }
 
 /// The least deviation that moments count with.
-fn least_deviation(filter: &Filter) -> String {
-    format!("const UMBRAGE_LEAST_DEVIATION: f32 = {:?};\n", filter.least_deviation_metres())
+fn min_standard_deviation(filter: &Filter) -> String {
+    format!("const UMBRAGE_MIN_STANDARD_DEVIATION: f32 = {:?};\n", filter.min_standard_deviation_metres())
 }
 
 #[cfg(test)]
@@ -281,14 +283,14 @@ mod tests {
         let disc = Disc::default();
         let discs = [
             disc,
-            Disc { radius: Some(0.1), seed: Seed::World, bail: true, ..disc },
-            Disc { seed: Seed::None, ..disc },
+            Disc { radius: Some(0.1), noise: NoiseSource::World, early_out: true, ..disc },
+            Disc { noise: NoiseSource::None, ..disc },
         ];
         let discs = discs.into_iter().flat_map(|disc| {
             [Filter::Poisson(disc), Filter::Stratified(disc), Filter::Rotated(disc), Filter::Vogel(disc)]
         });
         let prefilters =
-            [Prefilter::default(), Prefilter { levels: 4, anisotropy: 8, ..Prefilter::default() }];
+            [Prefilter::default(), Prefilter { mip_levels: 4, anisotropy: 8, ..Prefilter::default() }];
         let moments = prefilters.into_iter().flat_map(|prefilter| {
             let evsm = ExponentialVariance { prefilter, ..ExponentialVariance::default() };
             [

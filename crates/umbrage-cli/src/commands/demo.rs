@@ -5,7 +5,7 @@
 
 use anyhow::Context as _;
 use image::{DynamicImage, GrayImage, RgbaImage};
-use umbrage::{MapTexels, Preset, Rays, ShadowPlan};
+use umbrage::{LightKind, MapTexels, Preset, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
 use umbrage_render::{Frame, Gpu, Mark, Picture, Show};
 use umbrage_scene::Scene;
@@ -135,14 +135,14 @@ fn column(
     let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);
     // Words and splits are a sun's.
     let title = match main_rays(&judged_plan) {
-        Some(Rays::Directional { .. }) => format!("{what} ({preset})"),
+        Some(LightKind::Directional { .. }) => format!("{what} ({preset})"),
         _ => format!("{} ({preset})", views_text(&judged_plan)),
     };
     Ok(Column { title, shadowed, wrong, tinted, maps, words, truth })
 }
 
-fn main_rays(plan: &ShadowPlan) -> Option<Rays> {
-    plan.lights().first().map(|light| light.rays)
+fn main_rays(plan: &ShadowPlan) -> Option<LightKind> {
+    plan.lights().first().map(|light| light.kind)
 }
 
 fn views_text(plan: &ShadowPlan) -> String {
@@ -166,7 +166,7 @@ fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> 
         error.edge_displacement_px.map_or_else(String::new, |px| format!("; edges off by {px:.2} pixels"));
     Ok(vec![
         match main_rays(plan) {
-            Some(Rays::Directional { .. }) => format!("splits {} m", splits_text(plan.splits())),
+            Some(LightKind::Directional { .. }) => format!("splits {} m", splits_text(plan.splits())),
             _ => views_text(plan),
         },
         format!("a texel is {} m", texels.join(", ")),

@@ -21,9 +21,9 @@ pub struct Disc {
     /// look half a radius aside.
     pub centred: bool,
     /// What a place is, where each has other points or another angle; `poisson` has the same everywhere.
-    pub seed: Seed,
+    pub noise: NoiseSource,
     /// Whether four points on the rim are asked first, and the others only where those disagree.
-    pub bail: bool,
+    pub early_out: bool,
 }
 
 /// Comparisons all over what the pixel covers of the map: a parallelogram, and a texel around it.
@@ -34,13 +34,13 @@ pub struct Footprint {
     /// How many: 1 to 64.
     pub taps: u32,
     /// The most that a pixel may reach from its middle, texels, 1 to 64. Maps have so much room around what is seen.
-    pub most_texels: f32,
+    pub max_texels: f32,
 }
 
 /// By what places are told apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Seed {
+pub enum NoiseSource {
     /// By pixel: noise that stays on the screen (Jimenez 2014).
     Screen,
     /// By millimetre of the world: noise that stays on things.
@@ -57,7 +57,7 @@ pub struct LightSize {
     /// The whole angle that a sun is seen under, degrees, 0 to 180; 0 is a point.
     pub sun_degrees: f32,
     /// Diameter of spots and points, metres; 0 is a point.
-    pub lamp_metres: f32,
+    pub punctual_metres: f32,
 }
 
 /// A disc as wide as the penumbra.
@@ -72,9 +72,9 @@ pub struct Pcss {
     /// Points that are compared, 1 to 64.
     pub taps: u32,
     /// The most that a radius may be, texels, 1 to 256. Maps have so much room around what is seen.
-    pub most_texels: f32,
+    pub max_texels: f32,
     /// What a place is; each has another angle.
-    pub seed: Seed,
+    pub noise: NoiseSource,
 }
 
 /// How a map of moments is made smooth before it is read.
@@ -86,9 +86,9 @@ pub struct Prefilter {
     pub blur_texels: u32,
     /// How many depths a side make one texel of moments: 1 or 2. With 2, moments have a quarter of the texels, each the
     /// mean of four depths: what multisampling of a map that small would resolve to.
-    pub shrink: u32,
+    pub downsample: u32,
     /// Sizes that the moments are kept in, each half of the one before, 1 to 12.
-    pub levels: u32,
+    pub mip_levels: u32,
     /// The most lookups along a long footprint, 1 to 16; needs more than one level.
     pub anisotropy: u32,
 }
@@ -99,9 +99,9 @@ pub struct Prefilter {
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Variance {
     /// The least standard deviation, metres, 0 to 10: less is acne, more lets light in at contacts.
-    pub least_deviation: f32,
+    pub min_standard_deviation: f32,
     /// The share of light that is taken for leaked, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
     /// How moments are made smooth.
     pub prefilter: Prefilter,
 }
@@ -117,9 +117,9 @@ pub struct SummedVariance {
     /// Half a side of the box, texels, 0 to 64; where there is a radius in metres, the most that it may become.
     pub radius_texels: f32,
     /// The least standard deviation, metres, 0 to 10.
-    pub least_deviation: f32,
+    pub min_standard_deviation: f32,
     /// The share of light that is taken for leaked, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
 }
 
 /// The mean of an exponential of depth.
@@ -146,9 +146,9 @@ pub struct ExponentialVariance {
     /// Of the one that falls, for `evsm4`: above 0, and at most as the other.
     pub falling_exponent: f32,
     /// The least standard deviation, metres, 0 to 10.
-    pub least_deviation: f32,
+    pub min_standard_deviation: f32,
     /// The share of light that is taken for leaked, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
     /// How moments are made smooth.
     pub prefilter: Prefilter,
 }
@@ -161,7 +161,7 @@ pub struct FourMoments {
     /// What a number of the map is: `f32`, or half of the memory as `u16`.
     pub precision: MomentPrecision,
     /// The share of light that is taken for leaked, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
     /// How moments are made smooth.
     pub prefilter: Prefilter,
 }
@@ -184,9 +184,9 @@ pub struct SoftMoments {
     /// Of lights that have no size of their own.
     pub light: LightSize,
     /// The most that half a side of a box may be, texels, 1 to 64. Maps have so much room around what is seen.
-    pub most_texels: f32,
+    pub max_texels: f32,
     /// The share of light that is taken for leaked, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
 }
 
 impl Default for Disc {
@@ -196,21 +196,21 @@ impl Default for Disc {
             radius: None,
             radius_texels: 2.5, // as wide as PCF 5 × 5
             centred: true,
-            seed: Seed::Screen,
-            bail: false, // it misses what is narrower than a quarter of the disc
+            noise: NoiseSource::Screen,
+            early_out: false, // it misses what is narrower than a quarter of the disc
         }
     }
 }
 
 impl Default for Footprint {
     fn default() -> Self {
-        Self { taps: 32, most_texels: 8.0 } // as many comparisons as PCF 5 × 5; texels are about as large as pixels
+        Self { taps: 32, max_texels: 8.0 } // as many comparisons as PCF 5 × 5; texels are about as large as pixels
     }
 }
 
 impl Default for LightSize {
     fn default() -> Self {
-        Self { sun_degrees: 0.53, lamp_metres: 0.1 } // our sun, and a bulb with its shade
+        Self { sun_degrees: 0.53, punctual_metres: 0.1 } // our sun, and a bulb with its shade
     }
 }
 
@@ -219,28 +219,28 @@ impl Default for Pcss {
         Self {
             light: LightSize::default(),
             blockers: 16,
-            taps: 32,          // steps of 1/32
-            most_texels: 32.0, // 6 % of a map of 1024
-            seed: Seed::Screen,
+            taps: 32,         // steps of 1/32
+            max_texels: 32.0, // 6 % of a map of 1024
+            noise: NoiseSource::Screen,
         }
     }
 }
 
 impl Default for Prefilter {
     fn default() -> Self {
-        Self { blur_texels: 2, shrink: 1, levels: 1, anisotropy: 1 } // as wide as PCF 5 × 5
+        Self { blur_texels: 2, downsample: 1, mip_levels: 1, anisotropy: 1 } // as wide as PCF 5 × 5
     }
 }
 
 impl Default for Variance {
     fn default() -> Self {
-        Self { least_deviation: 0.01, bleed: 0.2, prefilter: Prefilter::default() }
+        Self { min_standard_deviation: 0.01, light_bleed_reduction: 0.2, prefilter: Prefilter::default() }
     }
 }
 
 impl Default for SummedVariance {
     fn default() -> Self {
-        Self { radius: None, radius_texels: 2.5, least_deviation: 0.01, bleed: 0.2 }
+        Self { radius: None, radius_texels: 2.5, min_standard_deviation: 0.01, light_bleed_reduction: 0.2 }
     }
 }
 
@@ -256,8 +256,8 @@ impl Default for ExponentialVariance {
             precision: Precision::F32,
             exponent: None,
             falling_exponent: 5.0, // as MJP's sample
-            least_deviation: 0.01,
-            bleed: 0.1,
+            min_standard_deviation: 0.01,
+            light_bleed_reduction: 0.1,
             prefilter: Prefilter::default(),
         }
     }
@@ -265,13 +265,13 @@ impl Default for ExponentialVariance {
 
 impl Default for FourMoments {
     fn default() -> Self {
-        Self { precision: MomentPrecision::F32, bleed: 0.1, prefilter: Prefilter::default() }
+        Self { precision: MomentPrecision::F32, light_bleed_reduction: 0.1, prefilter: Prefilter::default() }
     }
 }
 
 impl Default for SoftMoments {
     fn default() -> Self {
-        Self { light: LightSize::default(), most_texels: 24.0, bleed: 0.1 }
+        Self { light: LightSize::default(), max_texels: 24.0, light_bleed_reduction: 0.1 }
     }
 }
 

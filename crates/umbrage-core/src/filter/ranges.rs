@@ -19,9 +19,9 @@ impl Filter {
                 disc.validate(&points::TABLE_TAPS)?;
             }
             Self::Vogel(disc) => disc.validate(&points::TAPS)?,
-            Self::Footprint(Footprint { taps, most_texels }) => {
+            Self::Footprint(Footprint { taps, max_texels }) => {
                 check(&points::TAPS, *taps)?;
-                check(&points::FOOTPRINT_MOST_TEXELS, *most_texels)?;
+                check(&points::FOOTPRINT_MAX_TEXELS, *max_texels)?;
             }
             Self::Pcss(of) => of.validate()?,
             Self::Vsm(of) => of.validate()?,
@@ -31,14 +31,14 @@ impl Filter {
                 prefilter.validate()?;
             }
             Self::Evsm2(of) | Self::Evsm4(of) => of.validate()?,
-            Self::Msm(FourMoments { precision: _, bleed, prefilter }) => {
-                check(&moments::BLEED, *bleed)?;
+            Self::Msm(FourMoments { precision: _, light_bleed_reduction, prefilter }) => {
+                check(&moments::LIGHT_BLEED_REDUCTION, *light_bleed_reduction)?;
                 prefilter.validate()?;
             }
-            Self::Mssm(SoftMoments { light, most_texels, bleed }) => {
+            Self::Mssm(SoftMoments { light, max_texels, light_bleed_reduction }) => {
                 light.validate()?;
-                check(&soft::MSSM_MOST_TEXELS, *most_texels)?;
-                check(&moments::BLEED, *bleed)?;
+                check(&soft::MSSM_MAX_TEXELS, *max_texels)?;
+                check(&moments::LIGHT_BLEED_REDUCTION, *light_bleed_reduction)?;
             }
         }
         self.check_tile(resolution)
@@ -46,9 +46,9 @@ impl Filter {
 
     /// Whether it fits tiles of so many texels a side.
     pub(crate) fn check_tile(&self, resolution: u32) -> Result<(), SettingsError> {
-        let shrink = self.prefilter().map_or(1, |prefilter| prefilter.shrink).max(1);
-        if !resolution.is_multiple_of(shrink) {
-            let wanted = "an even number of texels, since `filter.prefilter.shrink` is 2";
+        let downsample = self.prefilter().map_or(1, |prefilter| prefilter.downsample).max(1);
+        if !resolution.is_multiple_of(downsample) {
+            let wanted = "an even number of texels, since `filter.prefilter.downsample` is 2";
             return Err(out_of_range("resolution", f64::from(resolution), wanted));
         }
         let reach = f64::from(self.reach_texels());
@@ -62,7 +62,7 @@ impl Filter {
 
 impl Disc {
     fn validate(&self, taps_key: &'static Key) -> Result<(), SettingsError> {
-        let Self { taps, radius, radius_texels, centred: _, seed: _, bail: _ } = self;
+        let Self { taps, radius, radius_texels, centred: _, noise: _, early_out: _ } = self;
         check(taps_key, *taps)?;
         check_given(&points::RADIUS, *radius)?;
         check(&points::RADIUS_TEXELS, *radius_texels)
@@ -71,54 +71,61 @@ impl Disc {
 
 impl LightSize {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { sun_degrees, lamp_metres } = self;
+        let Self { sun_degrees, punctual_metres } = self;
         check(&soft::SUN_DEGREES, *sun_degrees)?;
-        check(&soft::LAMP_METRES, *lamp_metres)
+        check(&soft::PUNCTUAL_METRES, *punctual_metres)
     }
 }
 
 impl Pcss {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { light, blockers, taps, most_texels, seed: _ } = self;
+        let Self { light, blockers, taps, max_texels, noise: _ } = self;
         light.validate()?;
         check(&soft::BLOCKERS, *blockers)?;
         check(&points::TAPS, *taps)?;
-        check(&soft::PCSS_MOST_TEXELS, *most_texels)
+        check(&soft::PCSS_MAX_TEXELS, *max_texels)
     }
 }
 
 impl Prefilter {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { blur_texels, shrink, levels, anisotropy } = *self;
+        let Self { blur_texels, downsample, mip_levels, anisotropy } = *self;
         check(&moments::BLUR_TEXELS, blur_texels)?;
-        check(&moments::SHRINK, shrink)?;
-        check(&moments::LEVELS, levels)?;
+        check(&moments::DOWNSAMPLE, downsample)?;
+        check(&moments::MIP_LEVELS, mip_levels)?;
         check(&moments::ANISOTROPY, anisotropy)
     }
 }
 
 impl Variance {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { least_deviation, bleed, prefilter } = self;
-        check(&moments::LEAST_DEVIATION, *least_deviation)?;
-        check(&moments::BLEED, *bleed)?;
+        let Self { min_standard_deviation, light_bleed_reduction, prefilter } = self;
+        check(&moments::MIN_STANDARD_DEVIATION, *min_standard_deviation)?;
+        check(&moments::LIGHT_BLEED_REDUCTION, *light_bleed_reduction)?;
         prefilter.validate()
     }
 }
 
 impl SummedVariance {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { radius, radius_texels, least_deviation, bleed } = self;
+        let Self { radius, radius_texels, min_standard_deviation, light_bleed_reduction } = self;
         check_given(&points::BOX_RADIUS, *radius)?;
         check(&points::BOX_RADIUS_TEXELS, *radius_texels)?;
-        check(&moments::LEAST_DEVIATION, *least_deviation)?;
-        check(&moments::BLEED, *bleed)
+        check(&moments::MIN_STANDARD_DEVIATION, *min_standard_deviation)?;
+        check(&moments::LIGHT_BLEED_REDUCTION, *light_bleed_reduction)
     }
 }
 
 impl ExponentialVariance {
     fn validate(&self) -> Result<(), SettingsError> {
-        let Self { precision, exponent, falling_exponent, least_deviation, bleed, prefilter } = self;
+        let Self {
+            precision,
+            exponent,
+            falling_exponent,
+            min_standard_deviation,
+            light_bleed_reduction,
+            prefilter,
+        } = self;
         let (growing, falling) = (&moments::PRECISION_EXPONENT, &moments::FALLING_EXPONENT);
         let most = precision.largest_exponent();
         let wanted = match precision {
@@ -129,8 +136,8 @@ impl ExponentialVariance {
         };
         check_most(growing, exponent.unwrap_or(1.0), most, wanted)?;
         check_most(falling, *falling_exponent, most, wanted)?;
-        check(&moments::LEAST_DEVIATION, *least_deviation)?;
-        check(&moments::BLEED, *bleed)?;
+        check(&moments::MIN_STANDARD_DEVIATION, *min_standard_deviation)?;
+        check(&moments::LIGHT_BLEED_REDUCTION, *light_bleed_reduction)?;
         prefilter.validate()
     }
 }

@@ -2,12 +2,12 @@
 //! the objects' boxes, and the map turned to suit it.
 
 use super::outline::Outline;
-use super::seen::Seen;
-use super::turn::least_turn;
+use super::rotation::least_turn;
+use super::visible_receivers::Seen;
 use super::within::{Cutter, Within};
 use super::{Fitted, Slice};
-use crate::beam::Beam;
 use crate::convex::ConvexBody;
+use crate::light_frustum::LightFrustum;
 
 pub(crate) fn fit(
     slice: &Slice<'_>,
@@ -28,9 +28,9 @@ pub(crate) fn fit(
 }
 
 fn add_objects(seen: &mut Seen<'_>, slice: &Slice<'_>, in_beam: &ConvexBody) {
-    let cutter = match &slice.beam {
-        Beam::Parallel(_) => Cutter::of_slice(slice.camera.slice_corners(slice.depths.clone())),
-        Beam::Spread(pyramid) => Cutter::of_body(in_beam, &pyramid.planes()),
+    let cutter = match &slice.light_frustum {
+        LightFrustum::Parallel(_) => Cutter::of_slice(slice.camera.slice_corners(slice.depths.clone())),
+        LightFrustum::Spread(pyramid) => Cutter::of_body(in_beam, &pyramid.planes()),
     };
     for object in slice.bounds.objects.iter().filter(|object| !object.is_empty()) {
         let (min, max) = (object.min.as_dvec3(), object.max.as_dvec3());
@@ -90,8 +90,8 @@ mod tests {
             let bounds = Bounds { world, objects };
             let settings = Settings { select: Select::Depth, ..Settings::default() };
             let along = DVec3::from(along).normalize_or(DVec3::NEG_Y);
-            let (beam, resolution) = (Beam::Parallel(along), settings.resolution);
-            let slice = Slice { camera: &camera, depths: near..near + reach, beam, resolution, bounds: &bounds, settings: &settings };
+            let (light_frustum, resolution) = (LightFrustum::Parallel(along), settings.resolution);
+            let slice = Slice { camera: &camera, depths: near..near + reach, light_frustum, resolution, bounds: &bounds, settings: &settings };
             let tight = fit(&slice, &mut Outline::default());
             let Some(loose) = loose_sides(&slice).filter(|_| !tight.casters.is_empty()) else { return Ok(()) };
             // Nothing found gives the whole slice, and no casters.

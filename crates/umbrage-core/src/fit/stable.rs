@@ -10,7 +10,7 @@ use crate::warp::Warp;
 
 pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
     // Axes from the light alone: a camera's up would turn the texels with the camera.
-    let light = slice.beam.space(glam::DVec3::Y);
+    let light = slice.light_frustum.space(glam::DVec3::Y);
     let sphere = bounding_sphere(slice.camera, slice.depths.clone());
     let half = quantise_up(sphere.radius.max(LEAST_SIZE)) * slice.padding();
     let texel_metres = 2.0 * half / f64::from(slice.resolution);

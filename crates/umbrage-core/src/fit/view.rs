@@ -4,7 +4,7 @@
 use glam::DVec2;
 
 use super::outline::Outline;
-use super::seen::Seen;
+use super::visible_receivers::Seen;
 use super::{Fitted, Slice};
 use crate::convex::ConvexBody;
 

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::bounds::Aabb;
 use crate::convex::{ConvexBody, MAX_FACES};
-use crate::few::Few;
+use crate::few::ArrayVec;
 use crate::frustum::PlaneF64;
 
 /// Planes are moved outward by this share of the slice's coordinates: what f32 calls visible must not be cut off.
@@ -19,8 +19,8 @@ const EDGES: [(usize, usize); 12] =
 
 /// A slice of the view, or what a cone of light shares with one, ready to cut many boxes.
 pub(crate) struct Cutter {
-    edges: Few<(DVec3, DVec3), MAX_EDGES>,
-    planes: Few<PlaneF64, MAX_FACES>,
+    edges: ArrayVec<(DVec3, DVec3), MAX_EDGES>,
+    planes: ArrayVec<PlaneF64, MAX_FACES>,
     margin: f64,
 }
 
@@ -35,7 +35,7 @@ pub(crate) enum Within {
     /// All of it is inside.
     Inside,
     /// These planes of the slice cut it.
-    Across(Few<PlaneF64, MAX_FACES>),
+    Across(ArrayVec<PlaneF64, MAX_FACES>),
 }
 
 impl Cutter {
@@ -45,11 +45,11 @@ impl Cutter {
         Self::new(&ConvexBody::of_slice(&corners), edges.into_iter())
     }
 
-    /// For what a slice shares with a beam, given with the beam's planes. Those stay where they are: what is not lit is
+    /// For what a slice shares with a light_frustum, given with the light_frustum's planes. Those stay where they are: what is not lit is
     /// not cut off, and behind a spot's tip there is no map.
-    pub fn of_body(body: &ConvexBody, beam: &[PlaneF64]) -> Self {
+    pub fn of_body(body: &ConvexBody, light_frustum: &[PlaneF64]) -> Self {
         let mut cutter = Self::new(body, body.edges());
-        for plane in beam {
+        for plane in light_frustum {
             let _fits = cutter.planes.push(*plane);
         }
         cutter
@@ -58,7 +58,7 @@ impl Cutter {
     fn new(body: &ConvexBody, all_edges: impl Iterator<Item = (DVec3, DVec3)>) -> Self {
         let size = body.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
         let margin = MARGIN * size;
-        let (mut edges, mut planes) = (Few::default(), Few::default());
+        let (mut edges, mut planes) = (ArrayVec::default(), ArrayVec::default());
         for edge in all_edges {
             let _fits = edges.push(edge);
         }
@@ -70,7 +70,7 @@ impl Cutter {
 
     /// How the box `centre` ± `half` lies to the slice. Across may be said of a box outside, never the reverse.
     pub fn classify(&self, centre: DVec3, half: DVec3) -> Within {
-        let mut across = Few::default();
+        let mut across = ArrayVec::default();
         for plane in self.planes.iter() {
             let (distance, reach) = (plane.signed_distance(centre), plane.normal.abs().dot(half));
             if distance < -reach {

@@ -6,9 +6,9 @@
 //! Space: any that grows with depth, as depth itself or an exponential of it.
 
 /// The largest share of a distribution that can lie at `place` or beyond it.
-pub(super) fn largest_share_beyond(first: f32, second: f32, place: f32, least_deviation: f32) -> f32 {
+pub(super) fn largest_share_beyond(first: f32, second: f32, place: f32, min_standard_deviation: f32) -> f32 {
     // The smallest positive number keeps 0 / 0 away.
-    let least = (least_deviation * least_deviation).max(f32::MIN_POSITIVE);
+    let least = (min_standard_deviation * min_standard_deviation).max(f32::MIN_POSITIVE);
     let variance = (second - first * first).max(least);
     let behind = (place - first).max(0.0);
     variance / (variance + behind * behind)
@@ -16,8 +16,8 @@ pub(super) fn largest_share_beyond(first: f32, second: f32, place: f32, least_de
 
 /// Visibility with its lowest part cut off, and the rest stretched: light bleeding reduction, of Lauritzen, *Summed-Area
 /// Variance Shadow Maps*, GPU Gems 3, 2007, chapter 8.
-pub(super) fn without_bleed(bleed: f32, visibility: f32) -> f32 {
-    ((visibility - bleed) / (1.0 - bleed).max(f32::EPSILON)).clamp(0.0, 1.0)
+pub(super) fn without_bleed(light_bleed_reduction: f32, visibility: f32) -> f32 {
+    ((visibility - light_bleed_reduction) / (1.0 - light_bleed_reduction).max(f32::EPSILON)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
@@ -26,11 +26,14 @@ mod tests {
 
     #[test]
     fn the_cut_of_bleeding_is_v11d() {
-        for (visibility, bleed, cut) in
+        for (visibility, light_bleed_reduction, cut) in
             [(0.1, 0.2, 0.0), (0.5, 0.2, 0.375), (0.9, 0.3, 0.857142857), (1.0, 0.3, 1.0)]
         {
-            let got = without_bleed(bleed, visibility);
-            assert!((got - cut).abs() < 1e-6, "{visibility} without {bleed}: {got}, not {cut}");
+            let got = without_bleed(light_bleed_reduction, visibility);
+            assert!(
+                (got - cut).abs() < 1e-6,
+                "{visibility} without {light_bleed_reduction}: {got}, not {cut}"
+            );
         }
     }
 

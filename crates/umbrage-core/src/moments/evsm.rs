@@ -18,7 +18,7 @@ pub struct Evsm2 {
     /// a 2048th, which is a variance of about 1e-5.
     pub least_variance: f32,
     /// What visibility is cut to 0, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
 }
 
 /// Exponential variance shadow maps of both exponentials.
@@ -31,7 +31,7 @@ pub struct Evsm4 {
     /// As in [`Evsm2`].
     pub least_variance: f32,
     /// What visibility is cut to 0, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
 }
 
 /// A 20,000th of the depth range, squared: above what 32 bits round the squares to, for exponents from 5.
@@ -42,7 +42,7 @@ impl Default for Evsm2 {
         Self {
             exponent: Exponent::STEEP, // the steeper, the less light leaks
             least_variance: LEAST_VARIANCE,
-            bleed: 0.0, // a bound that stays one
+            light_bleed_reduction: 0.0, // a bound that stays one
         }
     }
 }
@@ -53,7 +53,7 @@ impl Default for Evsm4 {
             positive: Exponent::STEEP,  // the steeper, the less light leaks
             negative: Exponent::GENTLE, // steeper, penumbrae are cut where one caster lies before another
             least_variance: LEAST_VARIANCE,
-            bleed: 0.0, // a bound that stays one
+            light_bleed_reduction: 0.0, // a bound that stays one
         }
     }
 }
@@ -67,8 +67,8 @@ fn warp(exponent: f32, depth: f32) -> f32 {
 fn largest_share_behind(exponent: f32, least_variance: f32, first: f32, second: f32, depth: f32) -> f32 {
     let place = warp(exponent, depth);
     // The warp stretches a small step of depth by its derivative.
-    let least_deviation = 2.0 * exponent * least_variance.sqrt() * place;
-    largest_share_beyond(first, second, place, least_deviation)
+    let min_standard_deviation = 2.0 * exponent * least_variance.sqrt() * place;
+    largest_share_beyond(first, second, place, min_standard_deviation)
 }
 
 impl Evsm2 {
@@ -79,7 +79,7 @@ impl Evsm2 {
 
     pub(super) fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
         let lit = largest_share_behind(self.exponent.get(), self.least_variance, moments.x, moments.y, depth);
-        without_bleed(self.bleed, lit)
+        without_bleed(self.light_bleed_reduction, lit)
     }
 }
 
@@ -95,6 +95,6 @@ impl Evsm4 {
         };
         let positive = lit(self.positive.get(), moments.x, moments.y);
         let negative = lit(-self.negative.get(), moments.z, moments.w);
-        without_bleed(self.bleed, positive.min(negative))
+        without_bleed(self.light_bleed_reduction, positive.min(negative))
     }
 }

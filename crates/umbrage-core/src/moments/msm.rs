@@ -23,7 +23,7 @@ pub struct Msm {
     /// The second and the fourth moment of what is mixed in, of depths −1…1; 0.1 to 0.9.
     pub centre: f32,
     /// What visibility is cut to 0, 0 to 0.99.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
 }
 
 impl Default for Msm {
@@ -46,9 +46,9 @@ struct Deltas {
 
 impl Msm {
     /// For moments in 32 bits: Peters et al. 2017.
-    pub const F32: Self = Self { bias: 3e-7, centre: 0.375, bleed: 0.0 };
+    pub const F32: Self = Self { bias: 3e-7, centre: 0.375, light_bleed_reduction: 0.0 };
     /// For moments in 16 bits, unsigned and normalised: Peters et al. 2017.
-    pub const UNORM16: Self = Self { bias: 6e-5, centre: 0.628, bleed: 0.0 };
+    pub const UNORM16: Self = Self { bias: 6e-5, centre: 0.628, light_bleed_reduction: 0.0 };
 
     /// A smaller share of blockers is none: no picture shows it, and it may be the bias's own.
     pub const LEAST_SHARE: f32 = 1e-3;
@@ -123,7 +123,7 @@ impl Msm {
 
     pub(super) fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
         let shadow = self.deltas(moments, depth).before().element_sum();
-        without_bleed(self.bleed, 1.0 - shadow)
+        without_bleed(self.light_bleed_reduction, 1.0 - shadow)
     }
 
     /// What share of the depths lies before a receiver, and their mean. `None` where less than [`Msm::LEAST_SHARE`] does.

@@ -14,7 +14,7 @@ pub(super) fn all() -> [Moments; 8] {
         Moments::Vsm(Vsm::default()),
         Moments::Esm(Esm::default()),
         Moments::Evsm2(Evsm2::default()),
-        Moments::Evsm2(Evsm2 { exponent: half, least_variance: 1e-5, bleed: 0.0 }),
+        Moments::Evsm2(Evsm2 { exponent: half, least_variance: 1e-5, light_bleed_reduction: 0.0 }),
         Moments::Evsm4(Evsm4::default()),
         Moments::Evsm4(Evsm4 { positive: steepest, negative: steepest, ..Evsm4::default() }),
         Moments::Msm(Msm::F32),

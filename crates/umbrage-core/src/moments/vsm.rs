@@ -14,14 +14,14 @@ pub struct Vsm {
     /// No variance is taken to be less, squares of the depth range, 0 to 0.01.
     pub least_variance: f32,
     /// What visibility is cut to 0, 0 to 0.99. Light leaks less, and penumbrae are narrower.
-    pub bleed: f32,
+    pub light_bleed_reduction: f32,
 }
 
 impl Default for Vsm {
     fn default() -> Self {
         Self {
-            least_variance: 1e-6, // ten times what 32 bits round the square to
-            bleed: 0.0,           // a bound that stays one
+            least_variance: 1e-6,       // ten times what 32 bits round the square to
+            light_bleed_reduction: 0.0, // a bound that stays one
         }
     }
 }
@@ -36,7 +36,7 @@ impl Vsm {
 
     pub(super) fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
         let lit = largest_share_beyond(moments.x, moments.y, depth, self.least_variance.sqrt());
-        without_bleed(self.bleed, lit)
+        without_bleed(self.light_bleed_reduction, lit)
     }
 }
 

@@ -11,8 +11,8 @@ pub(super) const KEYS: &[Key] = &[
     RASTER_CONSTANT,
     RASTER_SLOPE,
     CASTERS,
-    LAYER,
-    LAYER_LIMIT,
+    DEPTH_LAYER,
+    DEPTH_LAYER_LIMIT,
     TERMINATOR,
 ];
 
@@ -120,8 +120,8 @@ const CASTERS: Key = Key {
     ..BASE
 };
 
-const LAYER: Key = Key {
-    name: "bias.layer",
+const DEPTH_LAYER: Key = Key {
+    name: "bias.depth_layer",
     label: "layer",
     help: "What is stored of the surfaces that a ray of light meets. All but the first draw casters twice.",
     values: Values::Choice(&[
@@ -143,8 +143,8 @@ const LAYER: Key = Key {
     ..BASE
 };
 
-pub(crate) const LAYER_LIMIT: Key = Key {
-    name: "bias.layer_limit",
+pub(crate) const DEPTH_LAYER_LIMIT: Key = Key {
+    name: "bias.depth_layer_limit",
     label: "layer's limit",
     help: "The most that a dual layer is stored behind the first surface; for the others, how far behind it where \
            there is no second. More of it lets light in under what is thin.",

@@ -29,10 +29,10 @@ pub struct Bias {
     /// Which faces of casters are drawn.
     pub casters: CasterFaces,
     /// What is stored, of the first surface that the light meets and of the second.
-    pub layer: Layer,
-    /// For [`Layer::Dual`], the most that is stored behind the first surface; for [`Layer::Midpoint`] and
-    /// [`Layer::Second`], what is stored behind it where there is no second, metres.
-    pub layer_limit: f32,
+    pub depth_layer: DepthLayer,
+    /// For [`DepthLayer::Dual`], the most that is stored behind the first surface; for [`DepthLayer::Midpoint`] and
+    /// [`DepthLayer::Second`], what is stored behind it where there is no second, metres.
+    pub depth_layer_limit: f32,
     /// Cosine of the angle between normal and light up to which light fades in, 0 to 1. Surfaces that are turned away from
     /// the light are dark without a lookup; where smooth shading still lights them, the facets show unless it fades.
     pub terminator: f32,
@@ -53,14 +53,14 @@ pub enum CasterFaces {
 /// What is stored of the surfaces that a ray of light meets. All but the first need casters drawn twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Layer {
+pub enum DepthLayer {
     /// The first.
     First,
     /// The second (Wang & Molnar 1994).
     Second,
     /// Half-way between the two (Woo 1992).
     Midpoint,
-    /// Half-way between the two, but at most [`Bias::layer_limit`] behind the first (Weiskopf & Ertl 2003).
+    /// Half-way between the two, but at most [`Bias::depth_layer_limit`] behind the first (Weiskopf & Ertl 2003).
     Dual,
 }
 
@@ -72,11 +72,11 @@ impl Default for Bias {
             constant: 0.002,   // rounding of depth over a few kilometres in 32 bits
             slope: 0.5,        // bends between triangles: docs/decisions/0017
             slope_limit: 16.0, // 86°; steeper walls get next to no light
-            normal: 0.0,       // it moves the lookup aside, and shadows shrink
+            normal: 0.0,       // it moves the lookup aside, and shadows downsample
             receiver_plane: true,
             casters: CasterFaces::Both,
-            layer: Layer::First,
-            layer_limit: 0.05, // what stands on a ground this deep inside of it has its shadow yet
+            depth_layer: DepthLayer::First,
+            depth_layer_limit: 0.05, // what stands on a ground this deep inside of it has its shadow yet
             terminator: 0.0,
         }
     }
@@ -93,8 +93,8 @@ impl Bias {
         normal: 0.0,
         receiver_plane: false,
         casters: CasterFaces::Both,
-        layer: Layer::First,
-        layer_limit: 0.05,
+        depth_layer: DepthLayer::First,
+        depth_layer_limit: 0.05,
         terminator: 0.0,
     };
 }
@@ -111,8 +111,8 @@ impl Bias {
             normal,
             receiver_plane: _,
             casters: _,
-            layer: _,
-            layer_limit,
+            depth_layer: _,
+            depth_layer_limit,
             terminator,
         } = self;
         check(&bias::RASTER_CONSTANT, *raster_constant)?;
@@ -121,7 +121,7 @@ impl Bias {
         check(&bias::SLOPE, *slope)?;
         check(&bias::SLOPE_LIMIT, *slope_limit)?;
         check(&bias::NORMAL, *normal)?;
-        check(&bias::LAYER_LIMIT, *layer_limit)?;
+        check(&bias::DEPTH_LAYER_LIMIT, *depth_layer_limit)?;
         check(&bias::TERMINATOR, *terminator)
     }
 }

@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
-use umbrage_core::{Aabb, Bounds, Camera, Fit, Light, Projection, Rays, Settings, ShadowView, Warp, plan};
+use umbrage_core::{
+    Aabb, Bounds, Camera, Fit, Light, LightKind, Projection, Settings, ShadowView, Warp, plan,
+};
 
 use super::any::{camera, direction, fit_and_warp, point_in, seen, share, world};
 
@@ -59,7 +61,7 @@ fn check(
         "{receiver}, {} m before the tip, is outside {view:?}",
         depth(receiver)
     );
-    let texel = view.texel_at(receiver).texel_metres();
+    let texel = view.texel_basis_at(receiver).texel_metres();
     prop_assert!(
         texel <= view.texel_metres * 1.01,
         "a texel of {texel} m at {receiver}, and {} m at most",
@@ -91,7 +93,7 @@ proptest! {
         let settings = Settings { fit, warp, spot_splits, unclipped_depth, blend, ..Settings::default() };
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
         prop_assert_eq!(plan.views().len(), spot_splits as usize);
-        let Rays::Spot { position, direction, half_angle, range } = light.rays else { unreachable!("a spot") };
+        let LightKind::Spot { position, direction, half_angle, range } = light.kind else { unreachable!("a spot") };
         let (tip, axis) = (position.as_dvec3(), direction.as_dvec3());
         let front = front(&bounds, tip, axis, range);
         for (object, share, toward_light) in shares {
@@ -208,7 +210,7 @@ fn texels_of_a_lamp_grow_with_the_distance() {
     let lights = [Light::point(Vec3::ZERO, 25.0).unwrap()];
     let plan = plan(&camera, &lights, &bounds, &Settings::default()).unwrap();
     for depth in [1.0f32, 5.0, 20.0] {
-        let texel = plan.views()[5].texel_at(Vec3::new(0.0, 0.0, -depth)).texel_metres();
+        let texel = plan.views()[5].texel_basis_at(Vec3::new(0.0, 0.0, -depth)).texel_metres();
         let bare = 2.0 * depth / 1024.0;
         assert!(texel > bare && texel < 1.02 * bare, "{texel} m at {depth} m, bare {bare} m");
     }
@@ -260,19 +262,18 @@ proptest! {
             let clip = view.clip_from_world.as_dmat4() * point.as_dvec3().extend(1.0);
             let ndc = clip.truncate() / clip.w;
             let texel = (ndc.truncate() * DVec2::new(0.5, -0.5) + 0.5) * f64::from(view.tile.size);
-            let axis = match light.rays {
-                Rays::Point { .. } => [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z][view.split],
-                Rays::Spot { direction, .. } | Rays::Directional { direction } => direction.as_dvec3(),
-                _ => unreachable!("there are three kinds of light"),
+            let axis = match light.kind {
+                LightKind::Point { .. } => [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z][view.split],
+                LightKind::Spot { direction, .. } | LightKind::Directional { direction } => direction.as_dvec3(),
             };
-            let tip = match light.rays {
-                Rays::Spot { position, .. } | Rays::Point { position, .. } => position.as_dvec3(),
+            let tip = match light.kind {
+                LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position.as_dvec3(),
                 _ => DVec3::ZERO,
             };
             let (near, deep) = (f64::from(view.near_metres), f64::from(view.depth_metres));
             // A warped map also shows what lies behind its far plane; that counts as on it.
             let expected = ((axis.dot(point.as_dvec3() - tip) - near) / deep).min(1.0);
-            let even = f64::from(view.even_depth(texel.as_vec2(), ndc.z as f32));
+            let even = f64::from(view.linear_depth(texel.as_vec2(), ndc.z as f32));
             // The matrix is as exact as f32, and so is the weight; toward the far end of a warped map that is small, and
             // what a lamp stores far away is steep.
             let row = view.clip_from_world.row(3).as_dvec4();
@@ -281,7 +282,7 @@ proptest! {
             let steepness = if view.spreads { 1.0 + deep / near * expected.powi(2) } else { 1.0 };
             let slack = 1e-5 + 4.0 * f64::from(f32::EPSILON) * cancelled / weight * steepness;
             prop_assert!((even - expected).abs() < slack, "{even}, not {expected}, give or take {slack}, in {view:?}");
-            prop_assert_eq!(view.even_depth(texel.as_vec2(), 1.0), 1.0, "nothing was drawn at {} of {:?}", texel, view);
+            prop_assert_eq!(view.linear_depth(texel.as_vec2(), 1.0), 1.0, "nothing was drawn at {} of {:?}", texel, view);
         }
     }
 }

@@ -21,7 +21,8 @@ fn receivers() -> impl Iterator<Item = Vec3> {
 
 /// How much larger or smaller a receiver's texel is under the other view, at most.
 fn largest_jump(before: &ShadowView, after: &ShadowView) -> f32 {
-    let change = |point| before.texel_at(point).texel_metres() / after.texel_at(point).texel_metres();
+    let change =
+        |point| before.texel_basis_at(point).texel_metres() / after.texel_basis_at(point).texel_metres();
     receivers().map(change).map(|ratio| ratio.max(1.0 / ratio)).fold(1.0, f32::max)
 }
 

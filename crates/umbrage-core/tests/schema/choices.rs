@@ -7,8 +7,8 @@ use serde::de::DeserializeOwned;
 use toml::Value;
 use umbrage_core::schema::{Key, Values, keys};
 use umbrage_core::{
-    CasterFaces, DepthFormat, Filter, Fit, Layer, MomentPrecision, Precision, Scheme, Seed, Select, Shade,
-    Storage, Warp,
+    CasterFaces, DepthFormat, DepthLayer, Filter, Fit, MomentPrecision, NoiseSource, Precision, Scheme,
+    Select, Shade, Storage, Warp,
 };
 
 use crate::samples::kinds;
@@ -61,10 +61,12 @@ fn every_variant_is_a_choice_and_every_choice_a_variant() {
             ("bias.casters", _) => {
                 are_choices::<CasterFaces>(key, &variants!(CasterFaces: Both, Front, Back));
             }
-            ("bias.layer", _) => {
-                are_choices::<Layer>(key, &variants!(Layer: First, Second, Midpoint, Dual));
+            ("bias.depth_layer", _) => {
+                are_choices::<DepthLayer>(key, &variants!(DepthLayer: First, Second, Midpoint, Dual));
             }
-            ("filter.seed", _) => are_choices::<Seed>(key, &variants!(Seed: Screen, World, None)),
+            ("filter.noise", _) => {
+                are_choices::<NoiseSource>(key, &variants!(NoiseSource: Screen, World, None))
+            }
             ("filter.precision", ["evsm2", "evsm4"]) => {
                 are_choices::<Precision>(key, &variants!(Precision: F32, F16));
             }

@@ -3,7 +3,7 @@
 fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
     let radius = vec2f(umbrage_radius(lookup.texel_metres.x), umbrage_radius(lookup.texel_metres.y));
     let noise = umbrage_noise(receiver);
-    if UMBRAGE_BAIL {
+    if UMBRAGE_EARLY_OUT {
         // Where the rim agrees with itself, what is within is taken to agree as well.
         var rim = 0.0;
         for (var i = 0u; i < 4u; i++) {

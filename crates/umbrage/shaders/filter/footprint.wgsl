@@ -7,7 +7,7 @@ fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
     var sum = 0.0;
     for (var i = 0u; i < UMBRAGE_TAPS; i++) {
         let offset = footprint * points[i].xy + points[i].zw;
-        sum += umbrage_tap(lookup, clamp(offset, vec2f(-UMBRAGE_MOST_TEXELS), vec2f(UMBRAGE_MOST_TEXELS)));
+        sum += umbrage_tap(lookup, clamp(offset, vec2f(-UMBRAGE_MAX_TEXELS), vec2f(UMBRAGE_MAX_TEXELS)));
     }
     return sum / f32(UMBRAGE_TAPS);
 }

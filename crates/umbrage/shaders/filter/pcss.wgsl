@@ -13,8 +13,8 @@ fn umbrage_blockers(lookup: UmbrageLookup, radius: vec2f, noise: f32) -> vec2f {
         let place = lookup.texel + umbrage_point(points[i], i, noise) * radius;
         let centre = clamp(floor(place) + 0.5, vec2f(0.5), vec2f(tile_size - 0.5));
         let stored = textureLoad(umbrage_map, vec2i(origin + centre), layer, 0);
-        if stored < umbrage_reference(lookup, centre) {
-            sum += umbrage_even_depth(lookup.view_index, centre, stored);
+        if stored < umbrage_compare_depth(lookup, centre) {
+            sum += umbrage_linear_depth(lookup.view_index, centre, stored);
             count += 1.0;
         }
     }
@@ -23,7 +23,7 @@ fn umbrage_blockers(lookup: UmbrageLookup, radius: vec2f, noise: f32) -> vec2f {
 
 fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
     let noise = umbrage_noise(receiver);
-    let depth = umbrage_even_depth(lookup.view_index, lookup.texel, lookup.reference);
+    let depth = umbrage_linear_depth(lookup.view_index, lookup.texel, lookup.reference);
     // Whatever shadows it lies between the near plane and the receiver, and is seen through this disc.
     let blockers = umbrage_blockers(lookup, umbrage_penumbra_texels(lookup, depth, 0.0), noise);
     if blockers.y == 0.0 {

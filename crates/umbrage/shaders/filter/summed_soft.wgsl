@@ -5,12 +5,12 @@
 const UMBRAGE_SQUARE: f32 = 0.88622693;
 
 fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
-    let depth = umbrage_even_depth(lookup.view_index, lookup.texel, lookup.reference);
-    let least_deviation = UMBRAGE_LEAST_DEVIATION / umbrage_frame.views[lookup.view_index].depth_metres;
+    let depth = umbrage_linear_depth(lookup.view_index, lookup.texel, lookup.reference);
+    let min_standard_deviation = UMBRAGE_MIN_STANDARD_DEVIATION / umbrage_frame.views[lookup.view_index].depth_metres;
     let search = umbrage_penumbra_texels(lookup, depth, 0.0) * UMBRAGE_SQUARE;
     // Moments know how much lies before the receiver at least. Where that is nothing the blocker is at the receiver, and the
     // narrowest box decides: to take it for lit would light what many depths around it hide.
     let blockers = umbrage_moments_blocker(umbrage_moments_over(lookup, search), depth);
     let radius = max(umbrage_penumbra_texels(lookup, depth, blockers.y) * UMBRAGE_SQUARE, vec2f(0.5));
-    return umbrage_moments_visibility(umbrage_moments_over(lookup, radius), depth, least_deviation);
+    return umbrage_moments_visibility(umbrage_moments_over(lookup, radius), depth, min_standard_deviation);
 }

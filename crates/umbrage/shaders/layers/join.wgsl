@@ -23,7 +23,7 @@ fn umbrage_steepness(texel: vec2f, stored: f32) -> f32 {
     }
     // Stored depth is (1 / near − 1 / d) / (1 / near − 1 / far).
     let near = umbrage_frame.views[view_index].near_metres;
-    let metres = near + umbrage_even_depth(view_index, texel, stored) * deep;
+    let metres = near + umbrage_linear_depth(view_index, texel, stored) * deep;
     return weight * near * (near + deep) / (deep * metres * metres);
 }
 
@@ -38,6 +38,6 @@ fn join(@builtin(position) position: vec4f) -> @builtin(frag_depth) f32 {
     }
     let second = textureLoad(umbrage_second, vec2i(position.xy), layer, 0);
     let texel = position.xy - umbrage_frame.views[view_index].tile_origin;
-    let limit = UMBRAGE_LAYER_LIMIT * umbrage_steepness(texel, first);
+    let limit = UMBRAGE_DEPTH_LAYER_LIMIT * umbrage_steepness(texel, first);
     return min(umbrage_joined(first, select(second, first + 2.0 * limit, second >= 1.0), limit), 1.0);
 }

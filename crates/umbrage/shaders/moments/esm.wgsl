@@ -23,6 +23,6 @@ fn umbrage_moments_add(sum: vec4f, moments: vec4f, weight: f32) -> vec4f {
 }
 
 /// How much light reaches a receiver, from 0 to 1. It asks for no least deviation.
-fn umbrage_moments_visibility(moments: vec4f, depth: f32, least_deviation: f32) -> f32 {
+fn umbrage_moments_visibility(moments: vec4f, depth: f32, min_standard_deviation: f32) -> f32 {
     return exp(min(moments.x - UMBRAGE_MOMENTS_EXPONENT * clamp(depth, 0.0, 1.0), 0.0));
 }

@@ -7,8 +7,8 @@ fn umbrage_warp(exponent: f32, depth: f32) -> f32 {
 }
 
 /// What one exponential allows at a receiver.
-fn umbrage_largest_share_behind(exponent: f32, moments: vec2f, depth: f32, least_deviation: f32) -> f32 {
+fn umbrage_largest_share_behind(exponent: f32, moments: vec2f, depth: f32, min_standard_deviation: f32) -> f32 {
     let place = umbrage_warp(exponent, depth);
     // The warp stretches a small step of depth by its derivative.
-    return umbrage_largest_share_beyond(moments, place, 2.0 * exponent * least_deviation * place);
+    return umbrage_largest_share_beyond(moments, place, 2.0 * exponent * min_standard_deviation * place);
 }

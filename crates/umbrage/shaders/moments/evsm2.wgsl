@@ -6,7 +6,7 @@ fn umbrage_moments_of(depth: f32, slope: vec2f) -> vec4f {
     return vec4f(warped, warped * warped, 0.0, 0.0);
 }
 
-/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `least_deviation`.
-fn umbrage_moments_visibility(moments: vec4f, depth: f32, least_deviation: f32) -> f32 {
-    return umbrage_without_bleed(umbrage_largest_share_behind(UMBRAGE_MOMENTS_EXPONENT, moments.xy, depth, least_deviation));
+/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `min_standard_deviation`.
+fn umbrage_moments_visibility(moments: vec4f, depth: f32, min_standard_deviation: f32) -> f32 {
+    return umbrage_without_bleed(umbrage_largest_share_behind(UMBRAGE_MOMENTS_EXPONENT, moments.xy, depth, min_standard_deviation));
 }

@@ -7,9 +7,9 @@ fn umbrage_moments_of(depth: f32, slope: vec2f) -> vec4f {
     return vec4f(positive, positive * positive, negative, negative * negative);
 }
 
-/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `least_deviation`.
-fn umbrage_moments_visibility(moments: vec4f, depth: f32, least_deviation: f32) -> f32 {
-    let positive = umbrage_largest_share_behind(UMBRAGE_MOMENTS_EXPONENT, moments.xy, depth, least_deviation);
-    let negative = umbrage_largest_share_behind(-UMBRAGE_MOMENTS_NEGATIVE_EXPONENT, moments.zw, depth, least_deviation);
+/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `min_standard_deviation`.
+fn umbrage_moments_visibility(moments: vec4f, depth: f32, min_standard_deviation: f32) -> f32 {
+    let positive = umbrage_largest_share_behind(UMBRAGE_MOMENTS_EXPONENT, moments.xy, depth, min_standard_deviation);
+    let negative = umbrage_largest_share_behind(-UMBRAGE_MOMENTS_NEGATIVE_EXPONENT, moments.zw, depth, min_standard_deviation);
     return umbrage_without_bleed(min(positive, negative));
 }

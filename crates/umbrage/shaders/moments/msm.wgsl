@@ -88,7 +88,7 @@ fn umbrage_shares_before(deltas: UmbrageDeltas) -> vec3f {
 }
 
 /// How much light reaches a receiver, from 0 to 1. It asks for no least deviation.
-fn umbrage_moments_visibility(moments: vec4f, depth: f32, least_deviation: f32) -> f32 {
+fn umbrage_moments_visibility(moments: vec4f, depth: f32, min_standard_deviation: f32) -> f32 {
     let before = umbrage_shares_before(umbrage_deltas(moments, depth));
     return umbrage_without_bleed(1.0 - (before.x + before.y + before.z));
 }

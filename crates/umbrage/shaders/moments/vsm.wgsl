@@ -8,8 +8,8 @@ fn umbrage_moments_of(depth: f32, slope: vec2f) -> vec4f {
     return vec4f(z, min(z * z + 0.25 * dot(within, within), z), 0.0, 0.0);
 }
 
-/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `least_deviation`.
-fn umbrage_moments_visibility(moments: vec4f, depth: f32, least_deviation: f32) -> f32 {
+/// How much light reaches a receiver, from 0 to 1. No deviation of depth is taken to be less than `min_standard_deviation`.
+fn umbrage_moments_visibility(moments: vec4f, depth: f32, min_standard_deviation: f32) -> f32 {
     let z = clamp(depth, 0.0, 1.0);
-    return umbrage_without_bleed(umbrage_largest_share_beyond(moments.xy, z, least_deviation));
+    return umbrage_without_bleed(umbrage_largest_share_beyond(moments.xy, z, min_standard_deviation));
 }

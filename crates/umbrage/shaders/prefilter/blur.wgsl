@@ -25,7 +25,7 @@ fn umbrage_square() -> UmbrageSquare {
     let view_index = umbrage_prefilter_view.x;
     let origin = vec2i(umbrage_frame.views[view_index].tile_origin);
     let side = i32(umbrage_frame.views[view_index].tile_size);
-    return UmbrageSquare(origin / i32(UMBRAGE_SHRINK), side / i32(UMBRAGE_SHRINK));
+    return UmbrageSquare(origin / i32(UMBRAGE_DOWNSAMPLE), side / i32(UMBRAGE_DOWNSAMPLE));
 }
 
 @compute @workgroup_size(64)

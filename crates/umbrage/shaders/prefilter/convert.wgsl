@@ -12,7 +12,7 @@ fn umbrage_depth_at(texel: vec2i) -> f32 {
     let inside = clamp(texel, vec2i(0), vec2i(last));
     let origin = vec2i(umbrage_frame.views[view_index].tile_origin);
     let stored = textureLoad(umbrage_depths, origin + inside, umbrage_frame.views[view_index].layer, 0);
-    return umbrage_even_depth(view_index, vec2f(inside) + 0.5, stored);
+    return umbrage_linear_depth(view_index, vec2f(inside) + 0.5, stored);
 }
 
 /// The smaller of two in size: of a step before and one behind, the one that crosses no edge.
@@ -23,21 +23,21 @@ fn umbrage_lesser(a: f32, b: f32) -> f32 {
 @compute @workgroup_size(8, 8)
 fn convert(@builtin(global_invocation_id) id: vec3u) {
     let view_index = umbrage_prefilter_view.x;
-    let side = u32(umbrage_frame.views[view_index].tile_size) / UMBRAGE_SHRINK;
+    let side = u32(umbrage_frame.views[view_index].tile_size) / UMBRAGE_DOWNSAMPLE;
     if any(id.xy >= vec2u(side)) {
         return;
     }
     var sum = umbrage_moments_none();
-    for (var i = 0u; i < UMBRAGE_SHRINK * UMBRAGE_SHRINK; i++) {
-        let texel = vec2i(id.xy * UMBRAGE_SHRINK + vec2u(i % UMBRAGE_SHRINK, i / UMBRAGE_SHRINK));
+    for (var i = 0u; i < UMBRAGE_DOWNSAMPLE * UMBRAGE_DOWNSAMPLE; i++) {
+        let texel = vec2i(id.xy * UMBRAGE_DOWNSAMPLE + vec2u(i % UMBRAGE_DOWNSAMPLE, i / UMBRAGE_DOWNSAMPLE));
         let depth = umbrage_depth_at(texel);
         let right = umbrage_lesser(
             umbrage_depth_at(texel + vec2i(1, 0)) - depth, depth - umbrage_depth_at(texel - vec2i(1, 0)));
         let down = umbrage_lesser(
             umbrage_depth_at(texel + vec2i(0, 1)) - depth, depth - umbrage_depth_at(texel - vec2i(0, 1)));
         let moments = umbrage_moments_of(depth, vec2f(right, down));
-        sum = umbrage_moments_add(sum, moments, 1.0 / f32(UMBRAGE_SHRINK * UMBRAGE_SHRINK));
+        sum = umbrage_moments_add(sum, moments, 1.0 / f32(UMBRAGE_DOWNSAMPLE * UMBRAGE_DOWNSAMPLE));
     }
-    let origin = vec2u(umbrage_frame.views[view_index].tile_origin) / UMBRAGE_SHRINK;
+    let origin = vec2u(umbrage_frame.views[view_index].tile_origin) / UMBRAGE_DOWNSAMPLE;
     textureStore(umbrage_converted, origin + id.xy, umbrage_stored(sum));
 }

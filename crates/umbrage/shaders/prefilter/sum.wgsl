@@ -17,7 +17,7 @@ fn umbrage_added(texel: vec2u) -> vec4u {
     let origin = vec2u(umbrage_frame.views[view_index].tile_origin);
     let layer = umbrage_frame.views[view_index].layer;
     let stored = textureLoad(umbrage_depths, origin + texel, layer, 0);
-    let depth = clamp(umbrage_even_depth(view_index, vec2f(texel) + 0.5, stored), 0.0, 1.0);
+    let depth = clamp(umbrage_linear_depth(view_index, vec2f(texel) + 0.5, stored), 0.0, 1.0);
     let moments = clamp(umbrage_moments_of(depth, vec2f(0.0)), vec4f(0.0), vec4f(1.0));
     return vec4u(round(moments * UMBRAGE_SUM_SCALE));
 }

@@ -8,11 +8,11 @@ use umbrage_core::kernel::{
     POISSON, gaussian, interleaved_gradient_noise, picked, poisson, spiral, two_squares, world_noise,
 };
 use umbrage_core::{
-    Disc, Filter, Moments, Pcss, Prefilter, Reference, Seed, Settings, ShadowPlan, ShadowView, SoftMoments,
-    SummedVariance,
+    CompareDepth, Disc, Filter, Moments, NoiseSource, Pcss, Prefilter, Settings, ShadowPlan, ShadowView,
+    SoftMoments, SummedVariance,
 };
 
-use super::{Asker, Place};
+use super::{Place, Query};
 use crate::maps::MapTexels;
 use crate::shadows::PICTURE_SIZE;
 
@@ -27,11 +27,11 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     /// How much light the filter lets through.
-    pub fn visibility(&self, asker: &Asker) -> f32 {
-        let noise = |seed: Seed| match seed {
-            Seed::Screen => interleaved_gradient_noise(asker.pixel),
-            Seed::World => world_noise(asker.position),
-            Seed::None => 0.0,
+    pub fn visibility(&self, asker: &Query) -> f32 {
+        let noise = |noise: NoiseSource| match noise {
+            NoiseSource::Screen => interleaved_gradient_noise(asker.pixel),
+            NoiseSource::World => world_noise(asker.position),
+            NoiseSource::None => 0.0,
         };
         let filter = &self.settings.filter;
         match filter {
@@ -44,27 +44,27 @@ impl Reader<'_> {
             Filter::Poisson(disc) => self.disc(disc, &disc.table(), |_, point| point),
             Filter::Stratified(disc) => {
                 let all: Vec<Vec2> = poisson(POISSON.len(), disc.centred).collect();
-                let noise = noise(disc.seed);
+                let noise = noise(disc.noise);
                 self.disc(disc, &disc.table(), |i, _| all[picked(i, noise)])
             }
             Filter::Rotated(disc) => {
-                let turn = turn(noise(disc.seed));
+                let turn = turn(noise(disc.noise));
                 self.disc(disc, &disc.table(), |_, point| turn.rotate(point))
             }
             Filter::Vogel(disc) => {
-                let turn = turn(noise(disc.seed));
+                let turn = turn(noise(disc.noise));
                 self.disc(disc, &spiral(disc.taps), |_, point| turn.rotate(point))
             }
             Filter::Footprint(of) => {
                 let footprint = self.footprint(asker);
-                let most = Vec2::splat(of.most_texels);
+                let most = Vec2::splat(of.max_texels);
                 let tap = |i: u32| {
                     let point = two_squares(i as usize);
                     self.tap((footprint * point.xy() + point.zw()).clamp(-most, most))
                 };
                 (0..of.taps).map(tap).sum::<f32>() / of.taps as f32
             }
-            Filter::Pcss(pcss) => self.pcss(pcss, turn(noise(pcss.seed))),
+            Filter::Pcss(pcss) => self.pcss(pcss, turn(noise(pcss.noise))),
             Filter::Vsm(_) | Filter::Esm(_) | Filter::Evsm2(_) | Filter::Evsm4(_) | Filter::Msm(_) => {
                 match (filter.moments(self.view.depth_metres), filter.prefilter()) {
                     (Some(moments), Some(prefilter)) => {
@@ -80,7 +80,7 @@ impl Reader<'_> {
 
     /// How far along the light the place's own depth lies.
     fn depth(&self) -> f32 {
-        self.view.even_depth(self.place.texel, self.place.reference)
+        self.view.linear_depth(self.place.texel, self.place.reference)
     }
 
     fn side(&self) -> i64 {
@@ -125,9 +125,9 @@ impl Reader<'_> {
 
     /// A comparison beside the place, as the settings make it.
     fn tap(&self, offset: Vec2) -> f32 {
-        match self.settings.reference() {
-            Reference::Plane | Reference::Facing => self.lit((self.place.texel + offset).floor()),
-            Reference::Own => self.bilinear(self.place.texel + offset),
+        match self.settings.compare_depth() {
+            CompareDepth::Plane | CompareDepth::Facing => self.lit((self.place.texel + offset).floor()),
+            CompareDepth::Own => self.bilinear(self.place.texel + offset),
         }
     }
 
@@ -136,7 +136,7 @@ impl Reader<'_> {
         let Vec2 { x, y } = self.place.texel_metres;
         let radius = Vec2::new(disc.radius_at(x), disc.radius_at(y));
         let rim = CORNERS.map(|corner| self.tap(corner * radius)).iter().sum::<f32>() / 4.0;
-        if disc.bail && (rim == 0.0 || rim == 1.0) {
+        if disc.early_out && (rim == 0.0 || rim == 1.0) {
             return rim;
         }
         let taps = (0..).zip(points).map(|(i, point)| self.tap(place(i, *point) * radius));
@@ -144,7 +144,7 @@ impl Reader<'_> {
     }
 
     /// How the place on the map changes from a pixel to the next, to the right and upward, texels.
-    fn footprint(&self, Asker { position, normal, .. }: &Asker) -> Mat2 {
+    fn footprint(&self, Query { position, normal, .. }: &Query) -> Mat2 {
         let clip_from_world = self.plan.camera().clip_from_world();
         let [x, y, w] = [0, 1, 3].map(|i| clip_from_world.row(i));
         let point = position.extend(1.0);
@@ -155,13 +155,13 @@ impl Reader<'_> {
         let (right, up) = (pixels(x, PICTURE_SIZE[0]), pixels(y, PICTURE_SIZE[1]));
         let area = normal.dot(right.cross(up));
         let scale = if area.abs() > 1e-30 { 1.0 / area } else { 0.0 };
-        let footing = self.view.texel_at(*position);
-        let on_map = |step: Vec3| footing.texels(step * scale);
+        let texel_basis = self.view.texel_basis_at(*position);
+        let on_map = |step: Vec3| texel_basis.texels(step * scale);
         Mat2::from_cols(on_map(up.cross(*normal)), on_map(normal.cross(right)))
     }
 
     /// Radius of the disc on the map through which the light is seen past a blocker at an even depth, texels.
-    fn penumbra(&self, most_texels: f32, blocker: f32) -> Vec2 {
+    fn penumbra(&self, max_texels: f32, blocker: f32) -> Vec2 {
         let size = self.settings.filter.light_size().unwrap_or_default();
         let size = self.plan.lights()[self.view.light].half_size(size);
         let way = (self.depth() - blocker).max(0.0) * self.view.depth_metres;
@@ -170,22 +170,22 @@ impl Reader<'_> {
         } else {
             size * way
         };
-        (metres / self.place.texel_metres).clamp(Vec2::splat(0.5), Vec2::splat(most_texels))
+        (metres / self.place.texel_metres).clamp(Vec2::splat(0.5), Vec2::splat(max_texels))
     }
 
     fn pcss(&self, pcss: &Pcss, turn: Vec2) -> f32 {
         let last = Vec2::splat((self.side() - 1) as f32);
-        let search = self.penumbra(pcss.most_texels, 0.0);
+        let search = self.penumbra(pcss.max_texels, 0.0);
         let blockers: Vec<f32> = spiral(pcss.blockers)
             .iter()
             .map(|point| (self.place.texel + turn.rotate(*point) * search).floor().clamp(Vec2::ZERO, last))
             .filter(|corner| self.lit(*corner) == 0.0)
-            .map(|corner| self.view.even_depth(corner + 0.5, self.stored(corner)))
+            .map(|corner| self.view.linear_depth(corner + 0.5, self.stored(corner)))
             .collect();
         if blockers.is_empty() {
             return 1.0;
         }
-        let radius = self.penumbra(pcss.most_texels, blockers.iter().sum::<f32>() / blockers.len() as f32);
+        let radius = self.penumbra(pcss.max_texels, blockers.iter().sum::<f32>() / blockers.len() as f32);
         let taps = spiral(pcss.taps).into_iter().map(|point| self.tap(turn.rotate(point) * radius));
         taps.sum::<f32>() / pcss.taps as f32
     }
@@ -195,7 +195,7 @@ impl Reader<'_> {
         let depth = |x: i64, y: i64| {
             let [x, y] = [x, y].map(|i| i.clamp(0, self.side() - 1));
             let corner = Vec2::new(x as f32, y as f32);
-            self.view.even_depth(corner + 0.5, self.stored(corner))
+            self.view.linear_depth(corner + 0.5, self.stored(corner))
         };
         let here = depth(x, y);
         let lesser = |a: f32, b: f32| if a.abs() < b.abs() { a } else { b };
@@ -206,13 +206,13 @@ impl Reader<'_> {
 
     /// The moments of the place: of blurred texels, weighted bilinearly.
     fn prefiltered(&self, moments: &Moments, prefilter: &Prefilter) -> Vec4 {
-        let shrink = i64::from(prefilter.shrink);
-        let side = self.side() / shrink;
+        let downsample = i64::from(prefilter.downsample);
+        let side = self.side() / downsample;
         let sharp = |x: i64, y: i64| {
-            let [x, y] = [x, y].map(|i| i.clamp(0, side - 1) * shrink);
-            let weight = 1.0 / (shrink * shrink) as f32;
-            let texels =
-                (0..shrink * shrink).map(|i| self.moments_of(moments, x + i % shrink, y + i / shrink));
+            let [x, y] = [x, y].map(|i| i.clamp(0, side - 1) * downsample);
+            let weight = 1.0 / (downsample * downsample) as f32;
+            let texels = (0..downsample * downsample)
+                .map(|i| self.moments_of(moments, x + i % downsample, y + i / downsample));
             texels.fold(moments.none(), |sum, of| moments.add(sum, of, weight))
         };
         let weights = gaussian(prefilter.blur_texels);
@@ -225,9 +225,9 @@ impl Reader<'_> {
                 moments.add(sum, row, weighed(j))
             })
         };
-        let inset = Vec2::splat(0.5 * shrink as f32);
+        let inset = Vec2::splat(0.5 * downsample as f32);
         let inside = self.place.texel.clamp(inset, Vec2::splat(self.side() as f32) - inset);
-        let place = inside / shrink as f32 - 0.5;
+        let place = inside / downsample as f32 - 0.5;
         let (corner, share) = (place.floor(), place - place.floor());
         let at = |x: i64, y: i64| {
             blurred((corner.x as i64 + x).min(side - 1), (corner.y as i64 + y).min(side - 1))
@@ -246,7 +246,7 @@ impl Reader<'_> {
             for x in low.x.floor() as i64..high.x.ceil() as i64 {
                 let weight = share(x, low.x, high.x) * share(y, low.y, high.y);
                 let corner = Vec2::new(x as f32, y as f32);
-                let depth = self.view.even_depth(corner + 0.5, self.stored(corner));
+                let depth = self.view.linear_depth(corner + 0.5, self.stored(corner));
                 sum += moments.of_depth(depth, Vec2::ZERO) * weight;
             }
         }
@@ -266,10 +266,10 @@ impl Reader<'_> {
         let moments = Moments::Msm(msm);
         // Half a side of the square that has the area of the unit disc.
         let square = 0.5 * std::f32::consts::PI.sqrt();
-        let search = self.penumbra(of.most_texels, 0.0) * square;
+        let search = self.penumbra(of.max_texels, 0.0) * square;
         let blockers = msm.blocker(self.over(&moments, search), self.depth());
         let blocker = blockers.map_or(self.depth(), |(_, depth)| depth);
-        let radius = (self.penumbra(of.most_texels, blocker) * square).max(Vec2::splat(0.5));
+        let radius = (self.penumbra(of.max_texels, blocker) * square).max(Vec2::splat(0.5));
         moments.visibility(self.over(&moments, radius), self.depth())
     }
 }

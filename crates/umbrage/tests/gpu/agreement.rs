@@ -75,9 +75,9 @@ fn array_and_atlas_give_the_same_visibility_everywhere() {
         Filter::Bilinear {},
         Filter::Pcf { size: 5 },
         // A blur or a sum that went over the side of a tile would bring in a neighbour.
-        Filter::Vsm(Variance { least_deviation: 0.1, ..Variance::default() }),
+        Filter::Vsm(Variance { min_standard_deviation: 0.1, ..Variance::default() }),
         Filter::Evsm4(ExponentialVariance::default()),
-        Filter::Savsm(SummedVariance { least_deviation: 0.1, ..SummedVariance::default() }),
+        Filter::Savsm(SummedVariance { min_standard_deviation: 0.1, ..SummedVariance::default() }),
     ];
     for filter in filters {
         let answers = [Storage::Array, Storage::Atlas].map(|storage| {

@@ -3,15 +3,15 @@
 
 use glam::{Vec2, Vec3};
 use umbrage::{
-    Asker, Bias, Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize,
-    MomentPrecision, Pcss, Place, Precision, Prefilter, Seed, Settings, Shadows, SoftMoments, Storage,
+    Bias, Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision,
+    NoiseSource, Pcss, Place, Precision, Prefilter, Query, Settings, Shadows, SoftMoments, Storage,
     SummedVariance, Variance, Warp,
 };
 
 use crate::common::{camera, device, device_without, draw, queries, world};
 
 /// Who asks in `Drawn::filter`.
-const ASKER: Asker = Asker { position: Vec3::ZERO, normal: Vec3::Y, pixel: Vec2::splat(0.5) };
+const ASKER: Query = Query { position: Vec3::ZERO, normal: Vec3::Y, pixel: Vec2::splat(0.5) };
 
 const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
 
@@ -58,9 +58,9 @@ fn with(filter: Filter) -> Settings {
 fn points_on_a_disc_are_where_rust_says() {
     let disc = Disc::default();
     let discs = [
-        Disc { radius_texels: 3.0, seed: Seed::World, ..disc },
-        Disc { seed: Seed::None, centred: false, taps: 4, ..disc },
-        Disc { radius: Some(0.31), radius_texels: 8.0, seed: Seed::World, bail: true, ..disc },
+        Disc { radius_texels: 3.0, noise: NoiseSource::World, ..disc },
+        Disc { noise: NoiseSource::None, centred: false, taps: 4, ..disc },
+        Disc { radius: Some(0.31), radius_texels: 8.0, noise: NoiseSource::World, early_out: true, ..disc },
     ];
     for disc in discs {
         for filter in [Filter::Poisson, Filter::Stratified, Filter::Rotated, Filter::Vogel].map(|of| of(disc))
@@ -82,15 +82,18 @@ fn a_bail_misses_only_what_lies_within_an_agreeing_rim() {
     let world = world();
     let queries = queries(&world, &camera, 100);
     for radius_texels in [1.5, 2.5, 6.0] {
-        let ask = |bail| {
-            let disc = Disc { radius_texels, seed: Seed::None, bail, ..Disc::default() };
+        let ask = |early_out| {
+            let disc = Disc { radius_texels, noise: NoiseSource::None, early_out, ..Disc::default() };
             draw(device(wgpu::Backends::VULKAN), with(Filter::Vogel(disc)), &camera, &[LIGHT], &world)
                 .visibility(&queries)
         };
         let (all, bailed) = (ask(false), ask(true));
         let missed = all.iter().zip(&bailed).filter(|(all, bailed)| all != bailed);
         // Where the rim disagrees, all points are asked, and the answer is the same.
-        assert!(missed.clone().all(|(_, bailed)| *bailed == 0.0 || *bailed == 1.0), "only a bail differs");
+        assert!(
+            missed.clone().all(|(_, bailed)| *bailed == 0.0 || *bailed == 1.0),
+            "only a early_out differs"
+        );
         let rate = missed.count() as f64 / queries.len() as f64;
         let partly = all.iter().filter(|v| **v > 0.0 && **v < 1.0).count() as f64 / queries.len() as f64;
         println!(
@@ -118,7 +121,7 @@ fn blockers_and_penumbrae_are_what_rust_says() {
     let light = LightSize { sun_degrees: 5.0, ..LightSize::default() };
     for receiver_plane in [false, true] {
         let bias = Bias { receiver_plane, ..Bias::default() };
-        let pcss = Pcss { light, most_texels: 20.0, seed: Seed::World, ..Pcss::default() };
+        let pcss = Pcss { light, max_texels: 20.0, noise: NoiseSource::World, ..Pcss::default() };
         let (share, largest) = differences(&Settings { bias, ..with(Filter::Pcss(pcss)) }, 1.0 / 256.0);
         println!("pcss, plane {receiver_plane}: {share:.4} differ, by {largest} at most");
         // A blocker more or less moves every point of the disc.
@@ -130,13 +133,16 @@ fn blockers_and_penumbrae_are_what_rust_says() {
 fn moments() -> Vec<(Filter, f32)> {
     let blurred = Prefilter { blur_texels: 3, ..Prefilter::default() };
     let evsm = ExponentialVariance { prefilter: blurred, ..ExponentialVariance::default() };
-    let half = ExponentialVariance { precision: Precision::F16, least_deviation: 0.3, ..evsm };
+    let half = ExponentialVariance { precision: Precision::F16, min_standard_deviation: 0.3, ..evsm };
     let msm = FourMoments { prefilter: blurred, ..FourMoments::default() };
     vec![
         // A variance is what two squares differ by, which are near 1 in 32 bits: (1 cm)² of 100 m is a fifth of a step.
         (Filter::Vsm(Variance { prefilter: blurred, ..Variance::default() }), 0.02),
         (
-            Filter::Vsm(Variance { prefilter: Prefilter { shrink: 2, ..blurred }, ..Variance::default() }),
+            Filter::Vsm(Variance {
+                prefilter: Prefilter { downsample: 2, ..blurred },
+                ..Variance::default()
+            }),
             0.02,
         ),
         (Filter::Esm(Exponential { prefilter: blurred, ..Exponential::default() }), 1e-4),
@@ -210,7 +216,7 @@ fn no_filter_reads_over_the_sides_of_its_tile() {
     let world = world();
     let blurred = Prefilter { blur_texels: 6, ..Prefilter::default() };
     // Without anisotropy: lavapipe's lookups along a footprint differ by the size of the texture, even where it is a point.
-    let sizes = Prefilter { levels: 3, ..blurred };
+    let sizes = Prefilter { mip_levels: 3, ..blurred };
     let filters = [
         Filter::Pcf { size: 9 },
         Filter::Vogel(Disc { radius_texels: 6.0, ..Disc::default() }),
@@ -222,7 +228,7 @@ fn no_filter_reads_over_the_sides_of_its_tile() {
         Filter::Esm(Exponential { prefilter: sizes, ..Exponential::default() }),
         Filter::Savsm(SummedVariance {
             radius_texels: 6.0,
-            least_deviation: 0.1,
+            min_standard_deviation: 0.1,
             ..SummedVariance::default()
         }),
     ];
@@ -280,7 +286,7 @@ fn a_change_of_filter_leaves_nothing_of_the_one_before() {
         Filter::Hard {},
         Filter::Pcss(Pcss::default()),
         Filter::Savsm(SummedVariance::default()),
-        Filter::Mssm(SoftMoments { most_texels: 16.0, ..SoftMoments::default() }),
+        Filter::Mssm(SoftMoments { max_texels: 16.0, ..SoftMoments::default() }),
     ];
     let all: Vec<Filter> = others.into_iter().chain(filters).collect();
     let ask = |device, filter| draw(device, with(filter), &camera, &[LIGHT], &world).visibility(&queries);
@@ -301,7 +307,7 @@ fn sums_over_boxes_are_what_rust_adds_up() {
     let filters = [
         (Filter::Savsm(savsm), 0.02),
         (Filter::Savsm(SummedVariance { radius: Some(0.5), radius_texels: 8.0, ..savsm }), 0.02),
-        (Filter::Mssm(SoftMoments { light, most_texels: 16.0, ..SoftMoments::default() }), 0.02),
+        (Filter::Mssm(SoftMoments { light, max_texels: 16.0, ..SoftMoments::default() }), 0.02),
     ];
     for (filter, tolerance) in filters {
         for storage in [Storage::Array, Storage::Atlas] {

@@ -2,7 +2,7 @@
 
 use crate::common::{Drawn, Query, bounds, camera, device, draw_lit, queries, world};
 use glam::{DVec3, Vec3};
-use umbrage::{Camera, Filter, Fit, Light, Rays, Select, Settings, Storage};
+use umbrage::{Camera, Filter, Fit, Light, LightKind, Select, Settings, Storage};
 
 fn eye() -> Camera {
     camera(Vec3::new(-30.0, 9.0, 38.0), Vec3::new(4.0, 0.0, -6.0))
@@ -33,15 +33,15 @@ fn drawn(settings: Settings, lights: &[Light]) -> Drawn {
 /// The lamp's place, and whether it shines on a point and the point faces it.
 fn shines(light: &Light, query: &Query) -> Option<DVec3> {
     let from = |position: Vec3| (query.position - position).as_dvec3();
-    let (position, is_inside) = match light.rays {
-        Rays::Spot { position, direction, half_angle, range } => {
+    let (position, is_inside) = match light.kind {
+        LightKind::Spot { position, direction, half_angle, range } => {
             let along = from(position).normalize_or_zero().dot(direction.as_dvec3());
             (
                 position,
                 along > f64::from(half_angle).cos() + 1e-3 && from(position).length() < f64::from(range),
             )
         }
-        Rays::Point { position, range } => (position, from(position).length() < f64::from(range)),
+        LightKind::Point { position, range } => (position, from(position).length() < f64::from(range)),
         _ => return None,
     };
     let faces = query.normal.as_dvec3().dot(-from(position).normalize_or_zero()) > 0.05;
@@ -109,7 +109,7 @@ fn filters_do_not_leave_a_face_of_the_cube() {
         let drawn = drawn(settings, &[point()]);
         let world = world();
         let queries = queries(&world, &eye(), 60);
-        let Rays::Point { position, .. } = point().rays else { panic!("a point") };
+        let LightKind::Point { position, .. } = point().kind else { panic!("a point") };
         for query in &queries {
             let size = (query.position - position).abs();
             let face =

@@ -1,7 +1,7 @@
 //! Maps of more than the first surface: they need no other bias, and lose no shadow.
 
 use glam::Vec3;
-use umbrage::{Bias, Filter, Layer, Settings, Warp};
+use umbrage::{Bias, DepthLayer, Filter, Settings, Warp};
 
 use crate::common::{Query, camera, device, draw, hits, queries, world};
 
@@ -36,16 +36,18 @@ fn surfaces_do_not_shadow_themselves_in_a_map_of_what_lies_behind_them() {
     let lit: Vec<bool> = queries.iter().map(reaches).collect();
     for warp in [Warp::None, Warp::Lispsm] {
         let of = |layer| {
-            let bias = Bias { layer, layer_limit: 0.3, ..Bias::NONE };
+            let bias = Bias { depth_layer: layer, depth_layer_limit: 0.3, ..Bias::NONE };
             let settings =
                 Settings { bias, warp, filter: Filter::Hard {}, resolution: 512, ..Settings::default() };
             wrong(settings, &queries, &lit)
         };
-        let [acne, _] = of(Layer::First);
+        let [acne, _] = of(DepthLayer::First);
         println!("{warp:?}: {acne:.4} falsely shadowed by the first surface");
         assert!(acne > 0.05, "without a bias there is acne: {acne}");
         // A second surface that is the floor which a thing stands on lets light in around its foot.
-        for (layer, most_light) in [(Layer::Second, 0.03), (Layer::Midpoint, 0.015), (Layer::Dual, 0.015)] {
+        for (layer, most_light) in
+            [(DepthLayer::Second, 0.03), (DepthLayer::Midpoint, 0.015), (DepthLayer::Dual, 0.015)]
+        {
             let [shadow, light] = of(layer);
             println!(
                 "{warp:?} {layer:?}: {shadow:.4} falsely shadowed, {light:.4} falsely lit, of {}",
@@ -78,8 +80,8 @@ fn a_caster_before_the_near_plane_shadows_whatever_is_stored() {
     };
     let below: Vec<Query> = queries(&floor, &eye, 60_000).into_iter().filter(is_below).collect();
     assert!(below.len() > 100, "{} receivers below the roof", below.len());
-    for layer in [Layer::First, Layer::Second, Layer::Midpoint, Layer::Dual] {
-        let settings = Settings { bias: Bias { layer, ..Bias::NONE }, ..Settings::default() };
+    for layer in [DepthLayer::First, DepthLayer::Second, DepthLayer::Midpoint, DepthLayer::Dual] {
+        let settings = Settings { bias: Bias { depth_layer: layer, ..Bias::NONE }, ..Settings::default() };
         let drawn = draw(device(wgpu::Backends::VULKAN), settings, &eye, &[LIGHT], &world);
         assert!(drawn.shadows.settings().unclipped_depth, "the test adapter has unclipped depth");
         let lit = drawn.visibility(&below).iter().filter(|answer| **answer > 0.0).count();

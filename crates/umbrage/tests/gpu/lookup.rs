@@ -2,7 +2,7 @@
 
 use crate::common::{camera, device, draw, queries, world};
 use glam::{Vec2, Vec3};
-use umbrage::{Asker, Bias, DepthFormat, Filter, Fit, Place, Select, Settings, Storage};
+use umbrage::{Bias, DepthFormat, Filter, Fit, Place, Query, Select, Settings, Storage};
 
 const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
 
@@ -72,7 +72,7 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
                 })
                 .collect();
             let gpu = drawn.filter(view.index as u32, &places);
-            let asker = Asker { position: Vec3::ZERO, normal: Vec3::Y, pixel: Vec2::splat(0.5) };
+            let asker = Query { position: Vec3::ZERO, normal: Vec3::Y, pixel: Vec2::splat(0.5) };
             let cpu = places.iter().map(|place| lookup.filter(view, place, &asker));
             let differences: Vec<f32> = gpu.iter().zip(cpu).map(|(gpu, cpu)| (gpu - cpu).abs()).collect();
             let lit = gpu.iter().filter(|v| **v > 0.5).count();

@@ -46,7 +46,7 @@ struct Answer { stored: vec4f, visibility: f32, blocker: vec2f }
     }
     if question.steps > 0.0 { stored = round(stored * question.steps) / question.steps; }
     answers[id.x].stored = stored;
-    answers[id.x].visibility = umbrage_moments_visibility(stored, question.receiver, LEAST_DEVIATION);
+    answers[id.x].visibility = umbrage_moments_visibility(stored, question.receiver, MIN_STANDARD_DEVIATION);
     answers[id.x].blocker = ask_blocker(stored, question.receiver);
 }
 ";
@@ -59,14 +59,14 @@ fn on_gpu(moments: &Moments, questions: &[Question]) -> Vec<Answer> {
             (moments_wgsl(moments), "vec2f(0.0, receiver)")
         }
     };
-    let least_deviation = match *moments {
+    let min_standard_deviation = match *moments {
         Moments::Vsm(Vsm { least_variance, .. })
         | Moments::Evsm2(Evsm2 { least_variance, .. })
         | Moments::Evsm4(Evsm4 { least_variance, .. }) => least_variance.sqrt(),
         Moments::Esm(_) | Moments::Msm(_) => 0.0,
     };
     let ask = format!(
-        "const LEAST_DEVIATION: f32 = {least_deviation:?};\nfn ask_blocker(stored: vec4f, receiver: f32) -> vec2f {{ return {call}; }}"
+        "const MIN_STANDARD_DEVIATION: f32 = {min_standard_deviation:?};\nfn ask_blocker(stored: vec4f, receiver: f32) -> vec2f {{ return {call}; }}"
     );
     let (device, queue) = device(wgpu::Backends::VULKAN);
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -197,10 +197,15 @@ fn moments_on_the_gpu_are_v11() {
 fn moments_on_the_gpu_are_those_in_rust() {
     let half = exponent(5.54, Precision::F16);
     let others = [
-        Moments::Vsm(Vsm { bleed: 0.2, ..Vsm::default() }),
-        Moments::Evsm2(Evsm2 { exponent: half, least_variance: 1e-5, bleed: 0.1 }),
-        Moments::Evsm4(Evsm4 { positive: half, negative: half, least_variance: 1e-5, bleed: 0.1 }),
-        Moments::Msm(Msm { bleed: 0.3, ..Msm::F32 }),
+        Moments::Vsm(Vsm { light_bleed_reduction: 0.2, ..Vsm::default() }),
+        Moments::Evsm2(Evsm2 { exponent: half, least_variance: 1e-5, light_bleed_reduction: 0.1 }),
+        Moments::Evsm4(Evsm4 {
+            positive: half,
+            negative: half,
+            least_variance: 1e-5,
+            light_bleed_reduction: 0.1,
+        }),
+        Moments::Msm(Msm { light_bleed_reduction: 0.3, ..Msm::F32 }),
     ];
     for moments in columns().into_iter().chain(others) {
         let steps = if moments == Moments::Msm(Msm::UNORM16) { 65535.0 } else { 0.0 };

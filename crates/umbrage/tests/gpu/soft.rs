@@ -3,8 +3,8 @@
 
 use glam::{Mat3, Vec3};
 use umbrage::{
-    Aabb, Bias, Bounds, Camera, Filter, Fit, Light, LightSize, Pcss, Projection, Seed, Settings, SoftMoments,
-    Storage, Warp,
+    Aabb, Bias, Bounds, Camera, Filter, Fit, Light, LightSize, NoiseSource, Pcss, Projection, Settings,
+    SoftMoments, Storage, Warp,
 };
 
 use crate::common::{Query, device, draw_lit};
@@ -66,8 +66,8 @@ fn soft(filter: Filter) -> Settings {
 }
 
 fn pcss(sun_degrees: f32) -> Pcss {
-    let light = LightSize { sun_degrees, lamp_metres: 0.4 };
-    Pcss { light, blockers: 64, taps: 64, most_texels: 200.0, seed: Seed::None }
+    let light = LightSize { sun_degrees, punctual_metres: 0.4 };
+    Pcss { light, blockers: 64, taps: 64, max_texels: 200.0, noise: NoiseSource::None }
 }
 
 /// The radius that a filter makes of a plate's edge, in metres on the floor.
@@ -128,7 +128,7 @@ fn penumbrae_are_the_same_in_every_split_and_at_every_resolution() {
         [(1, 2048, 2.0), (1, 512, 2.0), (4, 1024, 2.0), (4, 1024, 6.0), (2, 1024, 12.0)]
     {
         let settings =
-            Settings { splits, resolution, ..soft(Filter::Pcss(Pcss { most_texels: 100.0, ..pcss(6.0) })) };
+            Settings { splits, resolution, ..soft(Filter::Pcss(Pcss { max_texels: 100.0, ..pcss(6.0) })) };
         let got = measured(&settings, sun(), (2.0, 0.0), 2.5 * radius as f32, 0.0, eye);
         println!("{splits} splits of {resolution}, from {eye} m: {got:.4} m, and {radius:.4} m in the world");
         assert!(
@@ -154,8 +154,8 @@ fn penumbrae_are_the_same_along_both_sides_of_long_texels() {
             let camera = Camera::looking(eye, Vec3::ZERO, Vec3::Y, projection, 0.5, 40.0).expect("a camera");
             let device = device(wgpu::Backends::VULKAN);
             let drawn = draw_lit(device, settings, &camera, &[sun()], &world, &bounds);
-            let footing = drawn.plan.views()[0].texel_at(Vec3::ZERO);
-            let ratio = footing.right.length() / footing.down.length();
+            let texel_basis = drawn.plan.views()[0].texel_basis_at(Vec3::ZERO);
+            let ratio = texel_basis.right.length() / texel_basis.down.length();
             let reach = 2.5 * radius as f32;
             let got = radius_of(&drawn.visibility(&across(turn, reach, 0.0)), reach, 0.0);
             println!(
@@ -179,7 +179,7 @@ fn lamps_have_penumbrae_of_their_own_size() {
     // A disc of 0.2 m around the lamp, seen past an edge: similar triangles.
     let radius = f64::from(0.2 * height / (top - height));
     for light in lamps.map(|lamp| lamp.expect("a lamp")) {
-        let filter = Filter::Pcss(Pcss { most_texels: 120.0, ..pcss(1.0) });
+        let filter = Filter::Pcss(Pcss { max_texels: 120.0, ..pcss(1.0) });
         let got = measured(&soft(filter), light, (height, 0.0), 2.5 * radius as f32, 0.0, 3.0);
         println!("{light:?}: {got:.4} m, and {radius:.4} m in the world");
         assert!((got / radius - 1.0).abs() < 0.05, "{light:?}: {got}, not {radius}");
@@ -196,7 +196,7 @@ fn blockers_before_the_near_plane_keep_their_distance() {
     let bounds = Bounds { world: floor.union(plate_box), objects: vec![floor, plate_box] };
     // Without the receiver's plane, which would want room before the floor.
     let bias = Bias { receiver_plane: false, ..Bias::default() };
-    let filter = Filter::Pcss(Pcss { most_texels: 120.0, ..pcss(degrees) });
+    let filter = Filter::Pcss(Pcss { max_texels: 120.0, ..pcss(degrees) });
     let settings = Settings { bias, resolution: 512, ..soft(filter) };
     assert!(settings.unclipped_depth, "flattening is on for other filters");
     let radius = expected(height, degrees);
@@ -227,11 +227,11 @@ fn a_light_without_size_is_hard_and_one_as_large_as_the_sky_is_finite() {
 
 #[test]
 fn penumbrae_of_moments_are_about_as_wide() {
-    let light = LightSize { sun_degrees: 6.0, lamp_metres: 0.4 };
+    let light = LightSize { sun_degrees: 6.0, punctual_metres: 0.4 };
     for (height, resolution) in [(1.0, 512), (2.0, 512), (2.0, 1024)] {
         let settings = Settings {
             resolution,
-            ..soft(Filter::Mssm(SoftMoments { light, most_texels: 64.0, bleed: 0.0 }))
+            ..soft(Filter::Mssm(SoftMoments { light, max_texels: 64.0, light_bleed_reduction: 0.0 }))
         };
         let radius = expected(height, 6.0);
         let got = measured(&settings, sun(), (height, 0.0), 2.5 * radius as f32, 0.0, 2.0);
@@ -253,7 +253,7 @@ fn what_moments_miss_in_a_wide_box_they_find_in_a_narrow_one() {
     world.extend([[a, b, c], [a, c, d]]);
     // What may cast is as high as 60 m, so the search is as wide as it may be.
     let bounds = Bounds::of_world(Vec3::new(-9.0, -4.0, -9.0), Vec3::new(9.0, 60.0, 9.0));
-    let light = LightSize { sun_degrees: 2.0, lamp_metres: 0.4 };
+    let light = LightSize { sun_degrees: 2.0, punctual_metres: 0.4 };
     let filter = Filter::Mssm(SoftMoments { light, ..SoftMoments::default() });
     let settings = Settings { resolution: 512, ..soft(filter) };
     let drawn = draw_lit(device(wgpu::Backends::VULKAN), settings, &camera(6.0), &[sun()], &world, &bounds);

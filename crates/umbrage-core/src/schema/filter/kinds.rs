@@ -30,7 +30,7 @@ pub(super) const KINDS: &[Choice] = &[
     Choice {
         name: "poisson",
         label: "Poisson disc",
-        help: "A fixed table of points on a disc. Few of them make bands.",
+        help: "A fixed table of points on a disc. ArrayVec of them make bands.",
         source: "opengl-tutorial 16",
     },
     Choice {

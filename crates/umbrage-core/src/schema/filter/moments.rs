@@ -10,11 +10,11 @@ pub(crate) const KEYS: &[Key] = &[
     FALLING_EXPONENT,
     FLOATS,
     MOMENTS,
-    LEAST_DEVIATION,
-    BLEED,
+    MIN_STANDARD_DEVIATION,
+    LIGHT_BLEED_REDUCTION,
     BLUR_TEXELS,
-    SHRINK,
-    LEVELS,
+    DOWNSAMPLE,
+    MIP_LEVELS,
     ANISOTROPY,
 ];
 
@@ -91,8 +91,8 @@ const MOMENTS: Key = Key {
     ..FLOATS
 };
 
-pub(crate) const LEAST_DEVIATION: Key = Key {
-    name: "filter.least_deviation",
+pub(crate) const MIN_STANDARD_DEVIATION: Key = Key {
+    name: "filter.min_standard_deviation",
     label: "least deviation",
     help: "The least standard deviation of depth that is counted with. \
            Less of it is acne, more of it lets light in at contacts.",
@@ -104,9 +104,9 @@ pub(crate) const LEAST_DEVIATION: Key = Key {
     ..BASE
 };
 
-pub(crate) const BLEED: Key = Key {
-    name: "filter.bleed",
-    label: "bleed",
+pub(crate) const LIGHT_BLEED_REDUCTION: Key = Key {
+    name: "filter.light_bleed_reduction",
+    label: "light_bleed_reduction",
     help: "The share of light that is taken for leaked. More of it hides leaks, and makes penumbrae narrower.",
     source: "Lauritzen 2007",
     kinds: &["vsm", "savsm", "evsm2", "evsm4", "msm", "mssm"],
@@ -127,9 +127,9 @@ pub(crate) const BLUR_TEXELS: Key = Key {
     ..BASE
 };
 
-pub(crate) const SHRINK: Key = Key {
-    name: "filter.prefilter.shrink",
-    label: "shrink",
+pub(crate) const DOWNSAMPLE: Key = Key {
+    name: "filter.prefilter.downsample",
+    label: "downsample",
     help: "How many depths a side make one texel of moments. \
            With 2, moments take a quarter of the memory, and edges are softer.",
     unit: "depths",
@@ -139,8 +139,8 @@ pub(crate) const SHRINK: Key = Key {
     ..BASE
 };
 
-pub(crate) const LEVELS: Key = Key {
-    name: "filter.prefilter.levels",
+pub(crate) const MIP_LEVELS: Key = Key {
+    name: "filter.prefilter.mip_levels",
     label: "sizes",
     help: "How many sizes the moments are kept in, each half of the one before. \
            More of them keep far shadows from flickering, and cost up to a third more memory.",

@@ -11,9 +11,9 @@ pub(crate) const KEYS: &[Key] = &[
     BOX_RADIUS,
     BOX_RADIUS_TEXELS,
     CENTRED,
-    SEED,
-    BAIL,
-    FOOTPRINT_MOST_TEXELS,
+    NOISE,
+    EARLY_OUT,
+    FOOTPRINT_MAX_TEXELS,
 ];
 
 /// The filters with points on a disc.
@@ -92,8 +92,8 @@ const CENTRED: Key = Key {
     ..Key::switch(Group::Filter)
 };
 
-const SEED: Key = Key {
-    name: "filter.seed",
+const NOISE: Key = Key {
+    name: "filter.noise",
     label: "noise",
     help: "By what places are told apart, where each has other points or another angle.",
     kinds: &["poisson", "stratified", "rotated", "vogel", "pcss"],
@@ -115,9 +115,9 @@ const SEED: Key = Key {
     ..BASE
 };
 
-const BAIL: Key = Key {
-    name: "filter.bail",
-    label: "bail",
+const EARLY_OUT: Key = Key {
+    name: "filter.early_out",
+    label: "early_out",
     help: "Four points on the rim are asked first, and the others only where those disagree. \
            It saves lookups, and misses what is narrower than a quarter of the disc.",
     source: "opengl-tutorial 16",
@@ -125,8 +125,8 @@ const BAIL: Key = Key {
     ..Key::switch(Group::Filter)
 };
 
-pub(crate) const FOOTPRINT_MOST_TEXELS: Key = Key {
-    name: "filter.most_texels",
+pub(crate) const FOOTPRINT_MAX_TEXELS: Key = Key {
+    name: "filter.max_texels",
     label: "reach",
     help: "The most that a pixel may reach from its middle. \
            Maps keep so much room around what is seen, so more of it makes texels coarser.",

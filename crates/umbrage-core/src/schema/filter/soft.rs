@@ -3,7 +3,7 @@
 use super::BASE;
 use crate::schema::{Key, Values};
 
-pub(crate) const KEYS: &[Key] = &[SUN_DEGREES, LAMP_METRES, BLOCKERS, PCSS_MOST_TEXELS, MSSM_MOST_TEXELS];
+pub(crate) const KEYS: &[Key] = &[SUN_DEGREES, PUNCTUAL_METRES, BLOCKERS, PCSS_MAX_TEXELS, MSSM_MAX_TEXELS];
 
 /// The filters that ask how large a light is.
 const SOFT: &[&str] = &["pcss", "mssm"];
@@ -20,8 +20,8 @@ pub(crate) const SUN_DEGREES: Key = Key {
     ..BASE
 };
 
-pub(crate) const LAMP_METRES: Key = Key {
-    name: "filter.light.lamp_metres",
+pub(crate) const PUNCTUAL_METRES: Key = Key {
+    name: "filter.light.punctual_metres",
     label: "lamps' size",
     help: "Diameter of spots and points that have no size of their own; 0 is a point. \
            A larger one makes wider penumbrae.",
@@ -45,8 +45,8 @@ pub(crate) const BLOCKERS: Key = Key {
     ..BASE
 };
 
-pub(crate) const PCSS_MOST_TEXELS: Key = Key {
-    name: "filter.most_texels",
+pub(crate) const PCSS_MAX_TEXELS: Key = Key {
+    name: "filter.max_texels",
     label: "reach",
     help: "The most that a penumbra's radius may be; a wider one is cut. \
            Maps keep so much room around what is seen, so more of it makes texels coarser.",
@@ -57,12 +57,12 @@ pub(crate) const PCSS_MOST_TEXELS: Key = Key {
     ..BASE
 };
 
-pub(crate) const MSSM_MOST_TEXELS: Key = Key {
+pub(crate) const MSSM_MAX_TEXELS: Key = Key {
     help: "The most that half a side of a box may be; a wider penumbra is cut. \
            More of it makes texels coarser, and sums rounder: they must hold the widest box.",
     source: "Peters et al. 2017",
     kinds: &["mssm"],
     values: Values::number(1.0, 64.0, [1.0, 64.0]),
     wanted: "from 1 to 64 texels",
-    ..PCSS_MOST_TEXELS
+    ..PCSS_MAX_TEXELS
 };

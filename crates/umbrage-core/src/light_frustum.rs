@@ -4,22 +4,22 @@ use glam::DVec3;
 
 use crate::bias::reach_texels;
 use crate::bounds::Bounds;
-use crate::few::Few;
+use crate::few::ArrayVec;
 use crate::frustum::PlaneF64;
-use crate::light::Rays;
+use crate::light::LightKind;
 use crate::settings::Settings;
 use crate::space::LightSpace;
 
 /// The rays that one view may hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Beam {
+pub(crate) enum LightFrustum {
     /// All there are, along this unit direction.
     Parallel(DVec3),
     /// A pyramid of them.
     Spread(Pyramid),
 }
 
-/// Rays from a tip, in a pyramid with a square base.
+/// LightKind from a tip, in a pyramid with a square base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pyramid {
     /// In world space.
@@ -40,21 +40,21 @@ const LEAST_NEAR: f64 = 1.0 / 2000.0;
 /// The axes of a cube's faces. A receiver's face is the one of the largest part of its direction.
 const FACE_AXES: [DVec3; 6] = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
 
-impl Beam {
-    /// The beam of a light's view; `face` counts a point light's.
-    pub fn of(rays: Rays, face: usize, resolution: u32, bounds: &Bounds, settings: &Settings) -> Self {
+impl LightFrustum {
+    /// The light_frustum of a light's view; `face` counts a point light's.
+    pub fn of(rays: LightKind, face: usize, resolution: u32, bounds: &Bounds, settings: &Settings) -> Self {
         match rays {
-            Rays::Directional { direction } => {
+            LightKind::Directional { direction } => {
                 Self::Parallel(direction.as_dvec3().normalize_or(DVec3::NEG_Y))
             }
-            Rays::Spot { position, direction, half_angle, range } => Self::Spread(Pyramid::new(
+            LightKind::Spot { position, direction, half_angle, range } => Self::Spread(Pyramid::new(
                 position.as_dvec3(),
                 direction.as_dvec3().normalize_or(DVec3::NEG_Y),
                 f64::from(half_angle).tan(),
                 range,
                 bounds,
             )),
-            Rays::Point { position, range } => {
+            LightKind::Point { position, range } => {
                 // Lookups reach over a face's edge: so many texels around it belong to the neighbours' rays.
                 let texels = f64::from(resolution);
                 let guard = (reach_texels(&settings.bias, &settings.filter) + 1.0).min(texels / 4.0);
@@ -94,12 +94,12 @@ impl Pyramid {
     }
 
     /// Its sides, its base, and the least depth, inward.
-    pub fn planes(&self) -> Few<PlaneF64, 6> {
+    pub fn planes(&self) -> ArrayVec<PlaneF64, 6> {
         let LightSpace { right, up, along, .. } = LightSpace::new(self.along, DVec3::Y);
         let side = |across: DVec3| {
             PlaneF64::through(self.tip, (along * self.half_side + across).normalize_or(along))
         };
-        let mut planes = Few::default();
+        let mut planes = ArrayVec::default();
         for plane in [
             side(right),
             side(-right),

@@ -6,8 +6,8 @@ use glam::{DVec2, DVec3};
 
 use super::outline::Outline;
 use super::{Fitted, Map, Slice};
-use crate::beam::Beam;
 use crate::convex::ConvexBody;
+use crate::light_frustum::LightFrustum;
 use crate::space::LightSpace;
 use crate::warp::{Sight, Warp, warp};
 
@@ -39,9 +39,9 @@ impl<'a> Seen<'a> {
             nearest: DVec3::ZERO,
             eye: slice.camera.eye().as_dvec3(),
             forward: slice.camera.forward().as_dvec3(),
-            least_near: match &slice.beam {
-                Beam::Parallel(_) => 0.0,
-                Beam::Spread(pyramid) => pyramid.least_near(),
+            least_near: match &slice.light_frustum {
+                LightFrustum::Parallel(_) => 0.0,
+                LightFrustum::Spread(pyramid) => pyramid.least_near(),
             },
         }
     }
@@ -153,11 +153,11 @@ mod tests {
     fn v29_map(warp: settings::Warp, fit_to: Fit) -> (DMat4, DMat4) {
         let (camera, bounds, along) = v29();
         let settings = Settings { warp, fit: fit_to, splits: 1, ..Settings::default() };
-        let beam = Beam::Parallel(along);
+        let light_frustum = LightFrustum::Parallel(along);
         let slice = Slice {
             camera: &camera,
             depths: 1.0..100.0,
-            beam,
+            light_frustum,
             resolution: 1024,
             bounds: &bounds,
             settings: &settings,
@@ -210,7 +210,7 @@ mod tests {
         let slice = Slice {
             camera: &camera,
             depths: 1.0..100.0,
-            beam: Beam::Parallel(along),
+            light_frustum: LightFrustum::Parallel(along),
             resolution: 1024,
             bounds: &bounds,
             settings: &settings,
@@ -228,7 +228,7 @@ mod tests {
             "{:?}",
             seen.depths
         );
-        let (min, max) = crate::fit::turn::rectangle(seen.outline.corners(), DVec2::X);
+        let (min, max) = crate::fit::rotation::rectangle(seen.outline.corners(), DVec2::X);
         let (min, max) = (min - eye.truncate(), max - eye.truncate());
         assert!((min - DVec2::new(-46.564242006, 0.434210816)).length() < 1e-4, "{min}");
         assert!((max - DVec2::new(56.728168544, 104.707292111)).length() < 1e-4, "{max}");
@@ -254,11 +254,11 @@ mod tests {
         let (camera, bounds, along) = v29();
         let settings = Settings::default();
         let light = Light::spot(Vec3::new(5.0, 12.0, -30.0), along.as_vec3(), 0.5, 40.0).expect("a spot");
-        let beam = Beam::of(light.rays, 0, 1024, &bounds, &settings);
+        let light_frustum = LightFrustum::of(light.kind, 0, 1024, &bounds, &settings);
         let slice = Slice {
             camera: &camera,
             depths: 1.0..100.0,
-            beam,
+            light_frustum,
             resolution: 1024,
             bounds: &bounds,
             settings: &settings,

@@ -2,8 +2,8 @@
 
 /// How far along the light's axis a depth is that is stored at a place of a tile, given in texels: 0 on the near plane, 1 on
 /// the far one, and even between. A warp divides depth by one number a ray, and a lamp stores how 1 / d falls; mirrors
-/// `ShadowView::even_depth`.
-fn umbrage_even_depth(view_index: u32, texel: vec2f, stored: f32) -> f32 {
+/// `ShadowView::linear_depth`.
+fn umbrage_linear_depth(view_index: u32, texel: vec2f, stored: f32) -> f32 {
     // Nothing was drawn. A warp would make a place of that: beside its receivers, and beyond its line at infinity, the far
     // plane is not at 1.
     if stored >= 1.0 {

@@ -6,7 +6,7 @@
 //! The sides of a texel are the vectors a_u and a_v across the ray with a_u·g_u = 1, a_u·g_v = 0, and so on:
 //! a_u = g_v × c / c², a_v = c × g_u / c², c = g_u × g_v.
 //!
-//! Mirrors `UmbrageFooting` of the shaders, in f32 as they do.
+//! Mirrors `UmbrageTexelBasis` of the shaders, in f32 as they do.
 
 use glam::{Vec2, Vec3};
 
@@ -14,7 +14,7 @@ use crate::ShadowView;
 
 /// The texels of a view at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Footing {
+pub struct TexelBasis {
     /// One side of a texel across the light, metres of world space: a texel to the right on the map.
     pub right: Vec3,
     /// The other: a texel downward.
@@ -27,7 +27,7 @@ pub struct Footing {
 
 impl ShadowView {
     /// Its texels at a world-space point that lies before the light.
-    pub fn texel_at(&self, point: Vec3) -> Footing {
+    pub fn texel_basis_at(&self, point: Vec3) -> TexelBasis {
         let m = &self.clip_from_world;
         let [x, y, z, w] = [0, 1, 2, 3].map(|i| m.row(i));
         let clip = *m * point.extend(1.0);
@@ -38,7 +38,7 @@ impl ShadowView {
         let down_gradient = gradient(y, clip.y) * -half;
         let across = right_gradient.cross(down_gradient);
         let square = across.length_squared().max(f32::MIN_POSITIVE);
-        Footing {
+        TexelBasis {
             right: down_gradient.cross(across) / square,
             down: across.cross(right_gradient) / square,
             depth: gradient(z, clip.z),
@@ -48,7 +48,7 @@ impl ShadowView {
     }
 }
 
-impl Footing {
+impl TexelBasis {
     /// The longer side, metres.
     pub fn texel_metres(&self) -> f32 {
         self.right.length().max(self.down.length())
@@ -61,12 +61,12 @@ impl Footing {
 
     /// How far along its unit normal a plane must be moved so that its point here comes to lie before all of the plane
     /// within `texels` to every side, as the light sees it: metres. Along the light that is the distance over the cosine.
-    pub fn lift(&self, normal: Vec3, texels: f32) -> f32 {
+    pub fn normal_offset(&self, normal: Vec3, texels: f32) -> f32 {
         texels * (normal.dot(self.right).abs() + normal.dot(self.down).abs())
     }
 
     /// The same where one stored depth is compared with all of these texels, however the view scales depth.
-    pub fn lift_over_stored(&self, normal: Vec3, to_light: Vec3, texels: f32) -> f32 {
+    pub fn normal_offset_over_stored(&self, normal: Vec3, to_light: Vec3, texels: f32) -> f32 {
         let Self { depth, right_gradient, down_gradient, .. } = *self;
         let across = right_gradient.cross(down_gradient).length();
         let grown =

@@ -4,13 +4,13 @@
 use glam::DVec2;
 
 use super::{Fitted, Map, Slice};
-use crate::beam::Pyramid;
 use crate::convex::ConvexBody;
+use crate::light_frustum::Pyramid;
 use crate::settings::Fit;
 use crate::warp::Warp;
 
 pub(crate) fn fit(slice: &Slice<'_>, pyramid: &Pyramid, receivers: &ConvexBody) -> Fitted {
-    let light = slice.beam.space(glam::DVec3::Y);
+    let light = slice.light_frustum.space(glam::DVec3::Y);
     let side = DVec2::splat(pyramid.half_side);
     // A face has its guard texels already.
     let (min, max) = if pyramid.is_face { (-side, side) } else { slice.padded(&light, -side, side) };
@@ -30,7 +30,7 @@ mod tests {
     use glam::{DMat4, DVec3, Vec3};
 
     use super::*;
-    use crate::beam::Beam;
+    use crate::light_frustum::LightFrustum;
     use crate::{Aabb, Bounds, Light, Settings};
 
     #[test]
@@ -45,12 +45,12 @@ mod tests {
             (DVec3::new(0.0, -7.0, 1.0), 3, 0.9896729776247849),
             (DVec3::new(0.5, 0.2, 0.9), 4, 0.892458723784025),
         ] {
-            let beam = Beam::of(light.rays, face, 1024, &bounds, &Settings::default());
-            let Beam::Spread(pyramid) = beam else { panic!("a lamp's rays spread") };
+            let light_frustum = LightFrustum::of(light.kind, face, 1024, &bounds, &Settings::default());
+            let LightFrustum::Spread(pyramid) = light_frustum else { panic!("a lamp's rays spread") };
             assert_eq!(pyramid.reach, 25.0);
             let side = DVec2::splat(pyramid.half_side);
             let map = Map {
-                light: beam.space(DVec3::Y),
+                light: light_frustum.space(DVec3::Y),
                 warp: Warp::default(),
                 min: -side,
                 max: side,
