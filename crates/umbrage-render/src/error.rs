@@ -47,18 +47,24 @@ pub enum RenderError {
         /// How many there may be.
         most: u64,
     },
-    /// A lamp that the frame does not cast shadows of.
-    #[error("there is no lamp {lamp}; the frame has shadows of {lamps}, counted from 0")]
-    NoSuchLamp {
-        /// Which was asked for.
-        lamp: usize,
+    /// A light that the frame does not cast shadows of.
+    #[error("there is no light {light}; the frame has shadows of {lights}, counted from 0")]
+    NoSuchLight {
+        /// The light that was asked for.
+        light: usize,
         /// How many there are.
-        lamps: usize,
+        lights: usize,
     },
-    /// A view that the last frame's plan does not have.
-    #[error("there is no shadow view {view}; the last frame has {views}, counted from 0")]
+    /// Shadow maps that are not those of the frame any more.
+    #[error(
+        "the shadow maps of this frame are gone: a later frame was drawn into them, other settings made new ones, or \
+         another renderer drew it; draw the frame again"
+    )]
+    MapsGone,
+    /// A view that a frame's plan does not have.
+    #[error("there is no shadow view {view}; the frame has {views}, counted from 0")]
     NoSuchView {
-        /// Which was asked for.
+        /// The view that was asked for.
         view: usize,
         /// How many there are.
         views: usize,

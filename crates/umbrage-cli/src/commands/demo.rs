@@ -125,11 +125,10 @@ fn column(
     let judged = laboratory.judge(shot, &settings, None, TruthKind::Hard, RUNS)?;
     let renderer = laboratory.renderer();
     let smooth = |show| Ok::<_, anyhow::Error>(Frame { samples: 4, ..shot.frame(show)? });
-    renderer.render(&smooth(Show::World)?)?;
-    let shadowed = image_of(renderer.picture()?)?;
-    let maps = renderer.maps().ok().map(|maps| thumbnails(&maps, &judged.plan)).unwrap_or_default();
-    renderer.render(&smooth(Show::Marked(Mark::Splits))?)?;
-    let tinted = image_of(renderer.picture()?)?;
+    let drawn = renderer.render(&smooth(Show::World)?)?.drawn;
+    let shadowed = image_of(drawn.picture()?)?;
+    let maps = renderer.maps(&drawn).ok().map(|maps| thumbnails(&maps, &judged.plan)).unwrap_or_default();
+    let tinted = image_of(renderer.show(&drawn, &Show::Marked(Mark::Splits))?.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
     let Judged { heat_map, true_picture, plan: judged_plan, .. } = judged;
     let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);

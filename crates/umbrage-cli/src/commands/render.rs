@@ -45,36 +45,34 @@ pub fn run(args: &RenderArgs) -> Outcome {
             None => frame.show.clone(),
             Some(area) => Show::Given(soft(&mut renderer, &frame, area)?),
         };
-        renderer.render(&Frame { show, ..frame.clone() })?;
-        let picture = renderer.picture()?;
+        let picture = renderer.render(&Frame { show, ..frame.clone() })?.drawn.picture()?;
         output::write_png(path, picture.width, picture.height, &picture.rgba, ExtendedColorType::Rgba8)?;
     }
     if let Some(folder) = &args.maps {
-        let rendered = renderer.render(&Frame { show: Show::Nothing, ..frame })?;
-        write_maps(folder, &renderer.maps()?, rendered.plan.views())?;
+        let drawn = renderer.render(&Frame { show: Show::Nothing, ..frame })?.drawn;
+        write_maps(folder, &renderer.maps(&drawn)?, drawn.plan().views())?;
     }
     Ok(())
 }
 
-/// How much of a lamp's light reaches each pixel, 0 to 1.
+/// How much of a light reaches each pixel, 0 to 1.
 fn visibility(
     renderer: &mut Renderer,
     frame: &Frame,
-    lamp: usize,
+    light: usize,
     area: Option<Area>,
 ) -> Result<Vec<f32>, RenderError> {
     if let Some(area) = area {
-        return Ok(renderer.area(frame, lamp, area)?.visibility);
+        return Ok(renderer.area(frame, light, area)?.visibility);
     }
-    renderer.render(&Frame { show: Show::Visibility(lamp), ..frame.clone() })?;
-    let picture = renderer.picture()?;
-    Ok(picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect())
+    let frame = Frame { show: Show::Visibility(light), ..frame.clone() };
+    Ok(renderer.render(&frame)?.drawn.picture()?.visibility())
 }
 
-/// The same of every lamp that has some size, one after the other.
+/// The same of every light that has some size, one after the other.
 fn soft(renderer: &mut Renderer, frame: &Frame, area: Area) -> Result<Vec<f32>, RenderError> {
-    let lamps = (0..frame.lamps.len()).map(|lamp| Ok(renderer.area(frame, lamp, area)?.visibility));
-    Ok(lamps.collect::<Result<Vec<_>, RenderError>>()?.concat())
+    let lights = (0..frame.lights.len()).map(|light| Ok(renderer.area(frame, light, area)?.visibility));
+    Ok(lights.collect::<Result<Vec<_>, RenderError>>()?.concat())
 }
 
 /// Writes how large texels look, and says it in a few numbers.
