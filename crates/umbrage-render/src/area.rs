@@ -103,12 +103,12 @@ mod tests {
     fn a_moved_sun_is_within_half_its_angle_and_a_moved_point_light_within_its_radius() {
         let area = Area { samples: 64, degrees: 10.0 };
         let sun = Light::directional(Vec3::new(0.3, -1.0, 0.2)).unwrap();
-        let lamp = Light::point(Vec3::new(1.0, 2.0, 3.0), 9.0).unwrap();
+        let point = Light::point(Vec3::new(1.0, 2.0, 3.0), 9.0).unwrap();
         for sample in 0..64 {
             let turned = area.moved(&sun, sample).unwrap().direction_from(Vec3::ZERO);
             let angle = turned.angle_between(sun.direction_from(Vec3::ZERO)).to_degrees();
             assert!(angle <= 5.001, "{angle}°");
-            let LightKind::Point { position, .. } = area.moved(&lamp, sample).unwrap().kind else {
+            let LightKind::Point { position, .. } = area.moved(&point, sample).unwrap().kind else {
                 panic!("a point")
             };
             assert!(position.distance(Vec3::new(1.0, 2.0, 3.0)) <= 5f32.to_radians() + 1e-6, "{position}");

@@ -18,7 +18,7 @@ use crate::timing::{FrameTimes, ViewLoad};
 ///
 /// It owns its picture: no later frame is drawn into that while a `Drawn`, or a clone of it, is held. Release it, and a
 /// later frame uses the texture again. The shadow maps are the renderer's, and a later frame is drawn into the same: what
-/// asks for maps ([`Renderer::query`](crate::Renderer::query), [`map_picture`](crate::Renderer::map_picture),
+/// reads maps ([`Renderer::query`](crate::Renderer::query), [`map_picture`](crate::Renderer::map_picture),
 /// [`maps`](crate::Renderer::maps), [`show`](crate::Renderer::show)) takes the `Drawn`, and is refused with
 /// [`RenderError::MapsGone`] when they are not its own any more.
 #[derive(Clone, Debug)]
@@ -109,7 +109,7 @@ impl Drawn {
         self.target.read(&self.gpu)
     }
 
-    /// Starts to copy the picture to the CPU without waiting: ask the result until it has come.
+    /// Starts to copy the picture to the CPU without waiting: [`ComingPicture::take`] has it when it has come.
     ///
     /// # Errors
     /// When the picture exceeds the adapter's buffers.

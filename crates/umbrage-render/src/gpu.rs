@@ -21,17 +21,17 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Every adapter here, the one that [`Self::new`] prefers first.
+    /// Lists every adapter here, the one that [`Self::new`] prefers first.
     pub fn adapters() -> Vec<AdapterDescription> {
         adapters(wgpu::Backends::all()).iter().map(describe).collect()
     }
 
-    /// A device on the preferred adapter, or on the first whose description contains `wanted`, in any case.
+    /// Opens a device on the preferred adapter, or on the first whose description contains `wanted`, in any case.
     ///
     /// # Errors
     /// When there is no such adapter, or it gives no device.
     pub fn new(wanted: Option<&str>) -> Result<Self, RenderError> {
-        // GL is asked only where nothing else will do: it is slow to start, and chatty.
+        // GL is tried only where nothing else will do: it is slow to start, and chatty.
         let mut found = adapters(wgpu::Backends::PRIMARY);
         if Self::choose(&found, wanted).is_err() {
             found = adapters(wgpu::Backends::all());
@@ -45,7 +45,8 @@ impl Gpu {
         Ok(Self { device, queue, adapter: Arc::new(description), counts: Arc::default() })
     }
 
-    /// What to ask an adapter's device for: all that shadows profit from, timestamps, and the adapter's own limits.
+    /// Describes the device to request from an adapter: all that shadows profit from, timestamps, and the adapter's own
+    /// limits.
     pub fn wanted_device(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         wgpu::DeviceDescriptor {
             label: Some("Gpu::device"),
@@ -56,12 +57,12 @@ impl Gpu {
         }
     }
 
-    /// A device that somebody else has made, as a window does; best from [`Self::wanted_device`].
+    /// Wraps a device that somebody else has made, as a window does; best from [`Self::wanted_device`].
     pub fn of_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
         Self { device, queue, adapter: Arc::new(describe(adapter)), counts: Arc::default() }
     }
 
-    /// The best of some adapters: hardware before software, and GL last; of those whose description contains `wanted`, in
+    /// Chooses the best of some adapters: hardware before software, and GL last; of those whose description contains `wanted`, in
     /// any case.
     ///
     /// # Errors

@@ -68,7 +68,14 @@ impl ComingPicture {
         Ok(ComingPicture { bytes: Coming::new(buffer), width, height, stride })
     }
 
-    /// The picture, once; `None` where it has not come yet. Never waits: poll the device, or submit, between two calls.
+    /// Waits for it.
+    pub(crate) fn wait(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
+        gpu.wait()?;
+        self.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())))
+    }
+
+    /// Takes the picture, once; `None` where it has not come yet. It never waits: poll the device, or submit, between two
+    /// calls.
     ///
     /// # Errors
     /// When the device fails.

@@ -1,4 +1,4 @@
-//! Bytes of a buffer that come to the CPU: waited for, or asked for until they are there.
+//! Bytes of a buffer on their way to the CPU: waited for, or polled until they are there.
 
 use crate::error::RenderError;
 use crate::gpu::Gpu;
@@ -47,11 +47,11 @@ pub(crate) struct Coming {
 }
 
 impl Coming {
-    /// Asks for them: they come when everything that was handed over before is done.
+    /// Starts to map the buffer: the bytes come when everything that was handed over before is done.
     pub fn new(buffer: wgpu::Buffer) -> Self {
         let (sender, mapped) = std::sync::mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // Whoever asked may have lost interest.
+            // The receiver may be gone.
             let _ = sender.send(result);
         });
         Self { buffer, mapped }

@@ -43,11 +43,11 @@ pub(crate) enum Look {
     Visibility,
 }
 
-/// Who says how much of a light reaches a fragment.
+/// Where a fragment's visibility comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Visibility {
-    /// The shader does not ask.
-    Unasked,
+    /// The shader needs none.
+    Unused,
     /// All light reaches everything.
     Full,
     /// A number a pixel and light, as group 3.
@@ -71,12 +71,12 @@ impl Look {
         }
     }
 
-    /// Who is asked, where contact shadows are on or not.
+    /// Where its shader takes visibility from, with contact shadows or without.
     pub fn visibility(self, has_contact: bool) -> Visibility {
         match self {
             Self::Unshadowed => Visibility::Full,
             Self::Given => Visibility::Given,
-            Self::Marked(Mark::Extents) => Visibility::Unasked,
+            Self::Marked(Mark::Extents) => Visibility::Unused,
             Self::World | Self::Marked(Mark::Splits | Mark::Texels) | Self::Visibility if has_contact => {
                 Visibility::MapsAndContact
             }
@@ -114,7 +114,7 @@ pub(crate) fn receivers(look: Look, receiver: &str, contact: Option<&Contact>) -
 /// The text of `visibility_at`.
 fn visibility(from: Visibility, contact: Option<&Contact>) -> String {
     match from {
-        Visibility::Unasked => String::new(),
+        Visibility::Unused => String::new(),
         Visibility::Full => include_str!("../shaders/visibility/full.wgsl").to_owned(),
         Visibility::Given => include_str!("../shaders/visibility/given.wgsl").to_owned(),
         Visibility::Maps => include_str!("../shaders/visibility/maps.wgsl").to_owned(),

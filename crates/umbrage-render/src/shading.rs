@@ -64,7 +64,7 @@ impl Shading {
         }
         let Some(look) = Look::of(show) else { return Ok(()) };
         let extra = match look.visibility(shadows.settings().contact.is_some()) {
-            Visibility::Unasked | Visibility::Full | Visibility::Maps => None,
+            Visibility::Unused | Visibility::Full | Visibility::Maps => None,
             Visibility::Given => Some(match &mut self.given {
                 Some(given) => &given.layout,
                 none => &none.insert(Given::new(gpu)?).layout,
@@ -103,7 +103,7 @@ impl Shading {
         let draws = if look.is_some() { planned.receivers() } else { &[] };
         let visibility = look.map(|look| look.visibility(shadows.settings().contact.is_some()));
         let extra = match visibility {
-            None | Some(Visibility::Unasked | Visibility::Full | Visibility::Maps) => None,
+            None | Some(Visibility::Unused | Visibility::Full | Visibility::Maps) => None,
             Some(Visibility::Given) => self.given.as_ref().map(|given| &given.group),
             Some(Visibility::MapsAndContact) => self.prepass.as_ref().map(|prepass| {
                 prepass.upload(gpu, camera);

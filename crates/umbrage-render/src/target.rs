@@ -147,8 +147,6 @@ impl Target {
 
     /// Copies the picture to the CPU, and waits for it.
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
-        let coming = self.request(gpu)?;
-        gpu.wait()?;
-        coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())))
+        self.request(gpu)?.wait(gpu)
     }
 }

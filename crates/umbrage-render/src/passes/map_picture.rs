@@ -10,14 +10,23 @@ use crate::gpu::Gpu;
 use crate::shaders;
 
 /// Says how to look at a tile.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MapLook {
     /// Whether near is light. Where not, near is dark, as depth is stored.
     pub invert: bool,
-    /// Whether grey goes from the nearest depth that was drawn to the farthest.
+    /// Whether grey goes from the nearest depth that was drawn to the farthest: [`Self::greys`].
     pub stretch: bool,
+    /// The greys of the nearest and of the farthest depth, where they are stretched, 0 to 255; 0 and 255 unless said. What
+    /// is empty is always 255.
+    pub greys: [u8; 2],
     /// Whether grey is even in metres along the light, whatever a punctual light or a warp makes of depth.
     pub even: bool,
+}
+
+impl Default for MapLook {
+    fn default() -> Self {
+        Self { invert: false, stretch: false, greys: [0, 255], even: false }
+    }
 }
 
 /// Which tile is painted, and how: as in the shader.
@@ -28,6 +37,8 @@ struct GpuLook {
     invert: u32,
     stretch: u32,
     even: u32,
+    nearest: f32,
+    farthest: f32,
 }
 
 /// Texels of a workgroup's side, as in the shader.
@@ -62,11 +73,12 @@ impl MapPicture {
         look: MapLook,
         side: u32,
     ) -> Result<wgpu::TextureView, RenderError> {
-        let MapLook { invert, stretch, even } = look;
+        let MapLook { invert, stretch, greys, even } = look;
+        let [nearest, farthest] = greys.map(|grey| f32::from(grey) / 255.0);
         let [invert, stretch, even] = [invert, stretch, even].map(u32::from);
         let mut uniform = UniformBuffer::new(Vec::new());
         uniform
-            .write(&GpuLook { view: view as u32, side, invert, stretch, even })
+            .write(&GpuLook { view: view as u32, side, invert, stretch, even, nearest, farthest })
             .map_err(|e| RenderError::Device(e.to_string()))?;
         let uniform = filled(gpu, "look", &uniform.into_inner(), wgpu::BufferUsages::UNIFORM)?;
         let nothing: [u32; 2] = [1.0f32.to_bits(), 0.0f32.to_bits()];

@@ -1,4 +1,4 @@
-//! The pass that asks shadow maps at points of the world: the shaders' own lookup, filters and all, without a picture
+//! The pass that queries shadow maps at points of the world: the shaders' own lookup, filters and all, without a picture
 //! around it.
 
 use encase::{ShaderType, StorageBuffer, UniformBuffer};
@@ -19,7 +19,7 @@ pub struct Point {
     pub normal: Vec3,
 }
 
-/// What is asked of all points.
+/// What all points have in common.
 #[derive(Clone, Copy, Debug, ShaderType)]
 pub(crate) struct Query {
     /// Of the frame's camera: filters take noise from where a point lies in the picture.
@@ -35,7 +35,7 @@ pub(crate) const MOST_AT_ONCE: usize = 1 << 20;
 /// Points of a workgroup, as in the shader.
 const WORKGROUP: u32 = 64;
 
-/// The pipeline that asks some shadows.
+/// The pipeline that queries some shadows.
 #[derive(Debug)]
 pub(crate) struct QueryPass {
     layout: wgpu::BindGroupLayout,
@@ -44,7 +44,7 @@ pub(crate) struct QueryPass {
 
 /// The buffers of one query.
 #[derive(Debug)]
-pub(crate) struct Questions {
+pub(crate) struct Queries {
     group: wgpu::BindGroup,
     pub answers: wgpu::Buffer,
     pub count: usize,
@@ -60,27 +60,27 @@ impl QueryPass {
         Self { layout, pipeline }
     }
 
-    /// Uploads what is asked of no more points than [`MOST_AT_ONCE`].
-    pub fn questions(&self, gpu: &Gpu, query: &Query, points: &[Point]) -> Result<Questions, RenderError> {
+    /// Uploads no more points than [`MOST_AT_ONCE`].
+    pub fn upload(&self, gpu: &Gpu, query: &Query, points: &[Point]) -> Result<Queries, RenderError> {
         let mut uniform = UniformBuffer::new(Vec::new());
         uniform.write(query).map_err(|e| RenderError::Device(e.to_string()))?;
         let mut bytes = StorageBuffer::new(Vec::new());
         bytes.write(points).map_err(|e| RenderError::Device(e.to_string()))?;
         let uniform = filled(gpu, "query", &uniform.into_inner(), wgpu::BufferUsages::UNIFORM)?;
-        let asked = filled(gpu, "queried points", &bytes.into_inner(), wgpu::BufferUsages::STORAGE)?;
+        let points_buffer = filled(gpu, "queried points", &bytes.into_inner(), wgpu::BufferUsages::STORAGE)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let answers = filled(gpu, "answers", &vec![0; 4 * points.len()], usage)?;
-        let resources = [&uniform, &asked, &answers].map(wgpu::Buffer::as_entire_binding);
+        let resources = [&uniform, &points_buffer, &answers].map(wgpu::Buffer::as_entire_binding);
         let group = gpu.bind_group("QueryPass::group", &self.layout, resources);
-        Ok(Questions { group, answers, count: points.len() })
+        Ok(Queries { group, answers, count: points.len() })
     }
 
-    /// Answers questions from shadow maps that are drawn.
-    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, shadows: &Shadows, questions: &Questions) {
+    /// Finds the visibility of uploaded points in shadow maps that are drawn.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, shadows: &Shadows, queries: &Queries) {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &questions.group, &[]);
+        pass.set_bind_group(0, &queries.group, &[]);
         pass.set_bind_group(1, shadows.bind_group(), &[]);
-        pass.dispatch_workgroups((questions.count as u32).div_ceil(WORKGROUP), 1, 1);
+        pass.dispatch_workgroups((queries.count as u32).div_ceil(WORKGROUP), 1, 1);
     }
 }

@@ -1,4 +1,4 @@
-//! What is asked of the shadow maps of a frame that was drawn.
+//! The shadow maps of a frame that was drawn: read, queried, or painted.
 
 use std::sync::Arc;
 
@@ -10,6 +10,7 @@ use crate::drawn::{Drawn, Planned};
 use crate::error::RenderError;
 use crate::passes::map_picture::{MapLook, MapPicture};
 use crate::passes::query::{MOST_AT_ONCE, Point, Query, QueryPass};
+use crate::picture::{ComingPicture, Picture};
 
 impl Renderer {
     /// Says whether the shadow maps are still those of a frame: whether nothing was drawn into them since, and no settings
@@ -48,11 +49,11 @@ impl Renderer {
         let pass = pass.get_or_insert_with(|| QueryPass::new(gpu, shadows));
         let mut answers = Vec::with_capacity(points.len());
         for points in points.chunks(MOST_AT_ONCE) {
-            let questions = pass.questions(gpu, &query, points)?;
+            let queries = pass.upload(gpu, &query, points)?;
             let mut encoder = gpu.encoder("Renderer::query");
-            pass.record(&mut encoder, shadows, &questions);
+            pass.record(&mut encoder, shadows, &queries);
             gpu.queue.submit([encoder.finish()]);
-            answers.extend(gpu.read_floats(&questions.answers, questions.count)?);
+            answers.extend(gpu.read_floats(&queries.answers, queries.count)?);
         }
         Ok(answers)
     }
@@ -83,5 +84,20 @@ impl Renderer {
         let picture = pass.record(gpu, &mut encoder, shadows, (view, tile.size), look, side)?;
         gpu.queue.submit([encoder.finish()]);
         Ok(picture)
+    }
+
+    /// Paints a tile as [`Self::map_picture`] does, copies the picture to the CPU, and waits for it.
+    ///
+    /// # Errors
+    /// As [`Self::map_picture`], and when the device fails.
+    pub fn read_map_picture(
+        &mut self,
+        drawn: &Drawn,
+        view: usize,
+        look: MapLook,
+        side: u32,
+    ) -> Result<Picture, RenderError> {
+        let painted = self.map_picture(drawn, view, look, side)?;
+        ComingPicture::of_texture(&self.gpu, painted.texture())?.wait(&self.gpu)
     }
 }
