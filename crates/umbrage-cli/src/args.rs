@@ -49,6 +49,9 @@ pub struct DemoArgs {
     /// Open no window after it, where there is a display
     #[arg(long)]
     pub no_window: bool,
+    /// Draw no picture, and open the window at once
+    #[arg(long, conflicts_with = "no_window")]
+    pub window_only: bool,
     #[command(flatten)]
     pub adapter: AdapterArgs,
 }

@@ -68,6 +68,9 @@ struct Column {
 
 pub fn run(args: &DemoArgs) -> Outcome {
     let scene = world::load(&args.world, 0)?;
+    if args.window_only {
+        return view::of_demo(args, scene);
+    }
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let shot = main_shot(&scene)?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
@@ -96,9 +99,9 @@ pub fn run(args: &DemoArgs) -> Outcome {
     }
     output::print(&text)?;
     eprintln!("picture: {}", args.output.display());
-    if !args.no_window && umbrage_viewer::native::has_display() {
+    if !args.no_window && view::is_possible() {
         // The picture is there, whatever becomes of the window.
-        if let Err(failure) = view::after_demo(args, scene) {
+        if let Err(failure) = view::of_demo(args, scene) {
             eprintln!("no window: {failure}");
         }
     }
