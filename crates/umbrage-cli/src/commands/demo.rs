@@ -112,7 +112,7 @@ pub fn run(args: &DemoArgs) -> Outcome {
 fn main_shot(scene: &Scene) -> Outcome<Shot> {
     let camera = scene.cameras.first().context("this world has no camera")?.clone();
     if scene.lights.is_empty() {
-        return Err(Failure::words("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
+        return Err(Failure::usage("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
     }
     Ok(Shot { camera, lights: scene.lights.clone(), seconds: 0.0, width: WIDTH, height: HEIGHT })
 }
