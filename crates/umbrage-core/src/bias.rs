@@ -15,43 +15,34 @@
 use glam::{Vec2, Vec3};
 
 use crate::filter::Filter;
-use crate::settings::{Bias, Settings, Warp};
+use crate::reach::Reach;
+use crate::settings::{Bias, Settings};
 use crate::texel_basis::TexelBasis;
+use crate::warp::Warp;
 
-/// How far from a receiver its lookups may end, in texels: the offset and the corner of the kernel.
-pub(crate) fn reach_texels(bias: &Bias, filter: &Filter) -> f64 {
-    std::f64::consts::SQRT_2 * (f64::from(filter.reach_texels()) + largest_offset_texels(bias, filter))
-}
-
-/// How far along the normal a receiver is moved at most, in texels: see [`TexelBasis::normal_offset`].
-fn largest_offset_texels(bias: &Bias, filter: &Filter) -> f64 {
-    // The smaller the texel, the more of them a width in metres is, up to its limit.
-    f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE))
-}
-
-/// What a lookup at one receiver is moved by.
+/// How far a lookup is moved away from its receiver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BiasMetres {
-    /// Along the receiver's normal, metres.
+    /// The distance along the receiver's normal, metres.
     pub along_normal: f32,
-    /// Toward the light, metres.
+    /// The distance toward the light, metres.
     pub toward_light: f32,
 }
 
-/// What each texel around a receiver is compared with.
+/// The depth that each texel around a receiver is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CompareDepth {
-    /// The depth that the receiver's own plane has at the texel's centre.
+    /// It is the depth that the receiver's own plane has at the texel's centre.
     Plane,
-    /// The depth there of a plane through the receiver that faces the light. Under a sun without a warp that is the
+    /// It is the depth there of a plane through the receiver that faces the light. Under a sun without a warp that is the
     /// receiver's own depth; where a warp or a cone scales depth from texel to texel, it is what stays the same.
     Facing,
-    /// The receiver's own depth, as it is stored: one comparison for four texels, which samplers do at once.
+    /// It is the receiver's own depth, as it is stored: one comparison for four texels, which samplers do at once.
     Own,
 }
 
 impl Settings {
-    /// What texels are compared with under these settings.
+    /// The depth that texels are compared with under these settings.
     pub fn compare_depth(&self) -> CompareDepth {
         if self.filter.moments(1.0).is_some() {
             CompareDepth::Own
@@ -64,7 +55,8 @@ impl Settings {
         }
     }
 
-    /// The bias at a receiver with a unit normal and a unit direction to the light. `texel_basis` is that of its view there.
+    /// Returns the bias at a receiver with a unit normal and a unit direction to the light. `texel_basis` is that of its
+    /// view there.
     pub fn bias_metres(&self, texel_basis: &TexelBasis, normal: Vec3, to_light: Vec3) -> BiasMetres {
         let bias = &self.bias;
         let cosine = normal.dot(to_light).clamp(0.0, 1.0);
@@ -81,7 +73,7 @@ impl Settings {
         }
     }
 
-    /// How much the depth to compare with grows from one texel of a view to the next, to the right and downward.
+    /// Returns how much the depth to compare with grows from one texel of a view to the next, to the right and downward.
     ///
     /// Mirrors `umbrage_gradient` of the shaders.
     pub fn reference_gradient(&self, texel_basis: &TexelBasis, normal: Vec3, to_light: Vec3) -> Vec2 {
@@ -96,28 +88,35 @@ impl Settings {
 /// Rasterisers round corners to a grid of 256 steps a texel: stored depth may be that of a place so many texels away.
 pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 
-/// How far along the light a receiver's plane may lie from the receiver within its lookups' reach, in texels.
-pub(crate) fn plane_reach_texels(bias: &Bias, filter: &Filter) -> f64 {
+/// How far lookups with a filter and a bias reach from their receiver.
+pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
+    // The smaller the texel, the more of them a width in metres is, up to its limit.
+    let offset_texels = f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE));
     let corner = std::f64::consts::SQRT_2 * f64::from(filter.plane_reach_texels());
-    if bias.receiver_plane { corner * f64::from(filter.steepest_plane()) } else { 0.0 }
-}
-
-/// How far toward the light what is compared may lie from its receiver, at most, metres.
-pub(crate) fn largest_bias(bias: &Bias, filter: &Filter, texel_metres: f64) -> f64 {
-    std::f64::consts::SQRT_2 * largest_offset_texels(bias, filter) * texel_metres
-        + f64::from(bias.constant)
-        + f64::from(bias.slope) * texel_metres * f64::from(bias.slope_limit)
-        + plane_reach_texels(bias, filter) * texel_metres
-        + 2.0 * f64::from(RASTER_STEP_TEXELS * filter.steepest_plane()) * texel_metres
+    Reach {
+        lookup_texels: std::f64::consts::SQRT_2 * (f64::from(filter.reach_texels()) + offset_texels),
+        plane_depth_texels: if bias.receiver_plane {
+            corner * f64::from(filter.steepest_plane())
+        } else {
+            0.0
+        },
+        offset_texels,
+        constant: f64::from(bias.constant),
+        slope: f64::from(bias.slope),
+        slope_limit: f64::from(bias.slope_limit),
+        raster_texels: 2.0 * f64::from(RASTER_STEP_TEXELS * filter.steepest_plane()),
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
+    use glam::{DVec2, DVec3};
 
     use super::*;
+    use crate::homography::Homography;
+    use crate::light_projection::LightProjection;
     use crate::space::LightSpace;
-    use crate::{Bounds, Camera, ConvexVolume, Light, Projection, Select, ShadowView, Tile, plan};
+    use crate::{Bounds, Camera, ConvexVolume, Light, Projection, Rays, Select, ShadowView, Tile, plan};
 
     #[test]
     fn the_tutorials_slope_bias_is_reproduced_on_its_own_scene() {
@@ -158,8 +157,8 @@ mod tests {
         let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
         let camera = Camera::looking(Vec3::new(0.0, 2.0, 9.0), Vec3::ZERO, Vec3::Y, projection, 0.5, 60.0)
             .expect("a camera");
-        let (tip, axis) = (Vec3::new(2.0, 9.0, 3.0), Vec3::new(-0.2, -1.0, -0.3).normalize_or_zero());
-        let lights = [Light::spot(tip, axis, 0.6, 40.0).expect("a spot")];
+        let (apex, axis) = (Vec3::new(2.0, 9.0, 3.0), Vec3::new(-0.2, -1.0, -0.3).normalize_or_zero());
+        let lights = [Light::spot(apex, axis, 0.6, 40.0).expect("a spot")];
         let bounds = Bounds::of_world(Vec3::new(-20.0, 0.0, -20.0), Vec3::new(20.0, 6.0, 20.0));
         let settings = with(Bias { constant: 0.01, ..Bias::NONE }, Filter::Hard {});
         let plan = plan(&camera, &lights, &bounds, &settings).expect("a plan");
@@ -167,8 +166,8 @@ mod tests {
         // Rows of GL's projection for depth, from the planes: A is (n + f) / (n − f), and B is 2nf / (n − f).
         let (near, far) = (view.near_metres, view.near_metres + view.depth_metres);
         let (a, b) = ((near + far) / (near - far), 2.0 * near * far / (near - far));
-        for receiver in [tip + axis * 5.0, Vec3::new(1.0, 3.0, 1.0), Vec3::new(-2.0, 0.0, 3.0), Vec3::ZERO] {
-            let to_light = (tip - receiver).normalize_or_zero();
+        for receiver in [apex + axis * 5.0, Vec3::new(1.0, 3.0, 1.0), Vec3::new(-2.0, 0.0, 3.0), Vec3::ZERO] {
+            let to_light = (apex - receiver).normalize_or_zero();
             let texel_basis = view.texel_basis_at(receiver);
             let ours = texel_basis.rise(to_light)
                 * settings.bias_metres(&texel_basis, to_light, to_light).toward_light;
@@ -203,13 +202,19 @@ mod tests {
     }
 
     /// A view of 64 × 32 metres and 100 metres of depth on 128² texels, with its axes.
-    fn view(along: DVec3) -> (ShadowView, LightSpace) {
-        let light = LightSpace::new(along, DVec3::Y);
+    fn view(axis: DVec3) -> (ShadowView, LightSpace) {
+        let light = LightSpace::new(axis, DVec3::Y);
+        let projection = LightProjection {
+            space: light,
+            homography: Homography::IDENTITY,
+            min: DVec2::new(-30.0, -10.0),
+            max: DVec2::new(34.0, 22.0),
+            depths: -40.0..60.0,
+        };
         let view = ShadowView {
             index: 0,
-            clip_from_world: light
-                .clip_from_world(DVec3::new(-30.0, -10.0, -40.0), DVec3::new(34.0, 22.0, 60.0))
-                .as_mat4(),
+            key: None,
+            clip_from_world: projection.clip_from_world().as_mat4(),
             casters: ConvexVolume::default(),
             light: 0,
             split: 0,
@@ -217,7 +222,7 @@ mod tests {
             texel_metres: 0.5,
             depth_metres: 100.0,
             near_metres: -40.0,
-            spreads: false,
+            rays: Rays::Parallel,
             inverse_weight: Vec3::Z,
             tile: Tile { layer: 0, x: 0, y: 0, size: 128 },
             unclipped_depth: true,
@@ -228,16 +233,16 @@ mod tests {
     #[test]
     fn the_gradient_is_how_depth_changes_on_the_plane() {
         let bias = Bias { receiver_plane: true, ..Bias::NONE };
-        let along = DVec3::new(0.3, -0.8, 0.5).normalize_or_zero();
-        let (view, light) = view(along);
+        let axis = DVec3::new(0.3, -0.8, 0.5).normalize_or_zero();
+        let (view, light) = view(axis);
         for (x, y) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (-2.0, 3.0), (4.0, -5.0)] {
             // A plane whose depth changes by x and y metres a metre to the right and up on the map.
-            let normal = (light.right * x + light.up * y - light.along).normalize_or_zero();
+            let normal = (light.right * x + light.up * y - light.axis).normalize_or_zero();
             let texel_basis = view.texel_basis_at(Vec3::ONE);
             let gradient = with(bias, Filter::Bilinear {}).reference_gradient(
                 &texel_basis,
                 normal.as_vec3(),
-                -along.as_vec3(),
+                -axis.as_vec3(),
             );
             // Texels are half a metre by a quarter, and a unit of depth is 100 m.
             let expected = Vec2::new(x as f32 * 0.5, y as f32 * -0.25) / 100.0;
@@ -250,19 +255,22 @@ mod tests {
         let bias = Bias { receiver_plane: true, ..Bias::default() };
         let filter = Filter::Pcf { size: 5 };
         let (view, light) = view(DVec3::NEG_Y);
-        let margin = largest_bias(&bias, &filter, f64::from(view.texel_metres)) as f32;
+        let margin = reach(&filter, &bias).toward_light_metres(f64::from(view.texel_metres)) as f32;
         for degrees in [0.0, 30.0, 60.0, 85.0, 89.9, 95.0f64] {
-            for turn in 0..16 {
+            for step in 0..16 {
                 let (sine, cosine) = degrees.to_radians().sin_cos();
-                let (y, x) = (f64::from(turn) * 0.4).sin_cos();
-                let normal = (light.right * x + light.up * y) * sine - light.along * cosine;
+                let (y, x) = (f64::from(step) * 0.4).sin_cos();
+                let normal = (light.right * x + light.up * y) * sine - light.axis * cosine;
                 let texel_basis = view.texel_basis_at(Vec3::ONE);
                 let gradient = with(bias, filter).reference_gradient(&texel_basis, normal.as_vec3(), Vec3::Y);
                 let toward = with(bias, filter).bias_metres(&texel_basis, normal.as_vec3(), Vec3::Y);
                 let nearest = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres
                     + toward.along_normal
                     + toward.toward_light;
-                assert!(nearest <= margin, "{degrees}°, turned by {turn}: {nearest} m, more than {margin} m");
+                assert!(
+                    nearest <= margin,
+                    "{degrees}°, rotated {step} times: {nearest} m, more than {margin} m"
+                );
             }
         }
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::{DVec3, Mat4, Vec3};
 
-use crate::CameraError;
+use crate::error::CameraError;
 
 /// How a camera projects.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,7 +10,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::ShadowView;
+use crate::view::ShadowView;
 
 /// The texels of a view at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
