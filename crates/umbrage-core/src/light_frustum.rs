@@ -46,7 +46,7 @@ impl LightFrustum {
     pub fn space(&self, up: DVec3) -> LightSpace {
         match self {
             Self::Parallel(direction) => LightSpace::new(*direction, up),
-            Self::FromApex(pyramid) => LightSpace::new(pyramid.axis, up).from_apex(pyramid.apex),
+            Self::FromApex(pyramid) => LightSpace::new(pyramid.axis, up).with_apex(pyramid.apex),
         }
     }
 
@@ -80,7 +80,7 @@ impl Pyramid {
         Self { apex, axis, half_side, reach, is_face: false }
     }
 
-    /// The least distance along the axis at which its map may begin, metres.
+    /// The minimum distance along the axis at which its map may begin, metres.
     pub fn min_near(&self) -> f64 {
         self.reach * MIN_NEAR_SHARE
     }

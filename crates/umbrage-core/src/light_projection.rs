@@ -100,7 +100,7 @@ mod tests {
         let axis = -DVec3::new(0.5, 2.0, 2.0).normalize_or_zero();
         let side = 22.5f64.to_radians().tan();
         let projection = LightProjection {
-            space: LightSpace::new(axis, DVec3::Y).from_apex(apex),
+            space: LightSpace::new(axis, DVec3::Y).with_apex(apex),
             homography: Homography::IDENTITY,
             min: DVec2::splat(-side),
             max: DVec2::splat(side),

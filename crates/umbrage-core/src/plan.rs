@@ -271,7 +271,7 @@ fn shadowed_depths(
     settings: &Settings,
 ) -> Result<Range<f32>, PlanError> {
     if lights.len() > MAX_LIGHTS {
-        return Err(PlanError::Lights { got: lights.len(), most: MAX_LIGHTS });
+        return Err(PlanError::Lights { got: lights.len(), max: MAX_LIGHTS });
     }
     let far = settings.distance.map_or(camera.far(), |distance| distance.min(camera.far()));
     if far <= camera.near() {

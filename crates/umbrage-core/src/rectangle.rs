@@ -16,7 +16,7 @@ pub(crate) struct Rectangle {
     pub texel_metres: f64,
 }
 
-/// Half a side of the least rectangle in the light space of a punctual light, as a tangent.
+/// Half a side of the smallest rectangle in the light space of a punctual light, as a tangent.
 const MIN_TANGENT: f64 = 1e-6;
 
 /// A rectangle `padding` times as large about its middle.

@@ -38,7 +38,7 @@ pub(crate) struct ReceiverOutline<'a> {
     pub corners: &'a [DVec2],
     /// The view depths of the receivers, metres.
     pub view_depths: Range<f64>,
-    /// A receiver at the least of these depths, in world space.
+    /// A receiver at the minimum of these depths, in world space.
     pub nearest: DVec3,
     /// How the map is rotated where no warp says it.
     pub rotation: Rotation,

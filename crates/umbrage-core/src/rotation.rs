@@ -1,8 +1,8 @@
 //! How to rotate a map about its light, so that its texels are the smallest.
 //!
 //! The coarser side of a texel decides how far a lookup must stand off and how ragged an edge is, so the longer side of
-//! the rectangle is what counts. The rectangle of least area (Freeman & Shapira 1975, Toussaint 1983) is often long and
-//! thin: measured over all worlds, its errors are 7 to 19 % larger. Space: x and y of light space.
+//! the rectangle is what counts. The rectangle of the smallest area (Freeman & Shapira 1975, Toussaint 1983) is often
+//! long and thin: measured over all worlds, its errors are 7 to 19 % larger. Space: x and y of light space.
 
 use glam::DVec2;
 

@@ -44,7 +44,7 @@ impl LightSpace {
 
     /// The same axes for rays that spread from `apex`.
     #[must_use]
-    pub fn from_apex(self, apex: DVec3) -> Self {
+    pub fn with_apex(self, apex: DVec3) -> Self {
         Self { apex: Some(apex), ..self }
     }
 
@@ -63,7 +63,7 @@ impl LightSpace {
     }
 
     /// A point of the world in light space. What lies behind an apex has no place there.
-    pub fn to_light(&self, point: DVec3) -> DVec3 {
+    pub fn to_light(self, point: DVec3) -> DVec3 {
         let from = point - self.apex.unwrap_or_default();
         let rotated = DVec3::new(self.right.dot(from), self.up.dot(from), self.axis.dot(from));
         match self.apex {
@@ -73,7 +73,7 @@ impl LightSpace {
     }
 
     /// The inverse of [`Self::to_light`].
-    pub fn to_world(&self, point: DVec3) -> DVec3 {
+    pub fn to_world(self, point: DVec3) -> DVec3 {
         let rotated = |p: DVec3| self.right * p.x + self.up * p.y + self.axis * p.z;
         match self.apex {
             None => rotated(point),
@@ -152,7 +152,7 @@ mod tests {
         ) {
             let axis = DVec3::from(axis).normalize_or(DVec3::X);
             let axes = LightSpace::new(axis, DVec3::Y);
-            let light = apex.map_or(axes, |apex| axes.from_apex(DVec3::from(apex)));
+            let light = apex.map_or(axes, |apex| axes.with_apex(DVec3::from(apex)));
             let [p, q] = [near, near + more].map(|metres| light.to_world(DVec3::new(x, y, light.z_at(metres))));
             let (there, further) = (light.to_light(p), light.to_light(q));
             prop_assert!((there.truncate() - DVec2::new(x, y)).length() < 1e-9, "{there}");

@@ -38,7 +38,7 @@ pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Splits {
     let (near, far) = (f64::from(depths.start), f64::from(depths.end));
     let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
     let count = settings.splits;
-    let least = (far - near) * MIN_SHARE;
+    let min_depth = (far - near) * MIN_SHARE;
     let mut distances = ArrayVec::new();
     let mut fits = distances.try_push(near).is_ok();
     let mut previous = near;
@@ -49,8 +49,8 @@ pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Splits {
             Scheme::Practical => practical(from, far, i, count, f64::from(settings.lambda)),
             Scheme::Manual => f64::from(settings.manual[i as usize - 1]),
         } + f64::from(settings.split_bias);
-        let room_after = least * f64::from(count - i);
-        let distance = wanted.max(previous + least).min(far - room_after);
+        let room_after = min_depth * f64::from(count - i);
+        let distance = wanted.max(previous + min_depth).min(far - room_after);
         fits &= distances.try_push(distance).is_ok();
         previous = distance;
     }

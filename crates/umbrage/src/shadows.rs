@@ -144,7 +144,7 @@ impl Shadows {
         };
         if !has_room {
             let got = lights.iter().map(|light| light.views(&self.settings)).sum();
-            return Err(PlanError::Room { got, most: self.views });
+            return Err(PlanError::Room { got, max: self.views });
         }
         plan.replan(camera, lights, bounds, &self.settings)
     }

@@ -26,7 +26,7 @@ fn side_by_side(depth: DepthFormat, sizes: &[u32], tiles: &mut [Tile]) -> MapLay
     let levels = (largest / smallest).ilog2();
     // Tiles begin at even texels, so that half of a size has them too.
     let side = largest.next_multiple_of(2 << levels);
-    // In pieces of the least size; a tile of level l has 4^(levels − l) of them.
+    // In pieces of the smallest size; a tile of level l has 4^(levels − l) of them.
     let pieces = |size: u32| 1u64 << (2 * (levels - (largest / size).ilog2()));
     let in_cell = pieces(largest);
     let cells = sizes.iter().map(|size| pieces(*size)).sum::<u64>().div_ceil(in_cell).max(1) as u32;

@@ -70,7 +70,7 @@ mod tests {
             let pyramid = Pyramid::face(apex, face, 1.01, 25.0, &bounds);
             assert_eq!(pyramid.reach, 25.0);
             let projection = LightProjection {
-                space: LightSpace::new(pyramid.axis, DVec3::Y).from_apex(pyramid.apex),
+                space: LightSpace::new(pyramid.axis, DVec3::Y).with_apex(pyramid.apex),
                 homography: Homography::IDENTITY,
                 min: DVec2::splat(-pyramid.half_side),
                 max: DVec2::splat(pyramid.half_side),

@@ -22,7 +22,7 @@ pub(super) struct VisibleReceivers<'a> {
     metres: Range<f64>,
     /// From the eye, metres.
     view_depths: Range<f64>,
-    /// A receiver at the least of these, in world space.
+    /// A receiver at the minimum of these, in world space.
     nearest: DVec3,
     eye: DVec3,
     forward: DVec3,

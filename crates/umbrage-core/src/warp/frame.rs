@@ -29,7 +29,7 @@ pub(super) struct WarpFrame<'a> {
     /// From the nearest receivers to the farthest.
     pub length: f64,
     /// The view depths over the map's length, on the line of sight's plane through its start, metres. They begin with the
-    /// least depth of the receivers.
+    /// minimum depth of the receivers.
     pub depths: Range<f64>,
 }
 

@@ -22,7 +22,7 @@ pub(super) struct WarpInput<'a> {
     pub outline: &'a [DVec2],
     /// The view depths of the receivers, metres.
     pub view_depths: Range<f64>,
-    /// A receiver at the least of these depths, in world space.
+    /// A receiver at the minimum of these depths, in world space.
     pub nearest: DVec3,
     /// A body around the receivers, in world space.
     pub receivers: &'a ConvexBody,

@@ -42,7 +42,7 @@ pub(super) fn vanishing_line(input: &WarpInput<'_>) -> Option<DVec3> {
     line.is_finite().then_some(line)
 }
 
-/// The axis of the least cone around some unit directions, nearly (Bădoiu & Clarkson 2003): a look that sees them all,
+/// The axis of the smallest cone around some unit directions, nearly (Bădoiu & Clarkson 2003): a look that sees them all,
 /// where one sees them all.
 fn middle_of_cone<I: Iterator<Item = DVec3>>(directions: impl Fn() -> I) -> DVec3 {
     const ROUNDS: u32 = 24;
