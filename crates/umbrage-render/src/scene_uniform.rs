@@ -89,7 +89,7 @@ fn gpu_scene(view: &View<'_>) -> GpuScene {
     for (slot, light) in lights.iter_mut().zip(of) {
         *slot = gpu_light(light);
     }
-    let sun = of.iter().find(|light| matches!(light.light.kind, LightKind::Directional { .. }));
+    let sun = of.iter().find(|light| matches!(light.light.kind(), LightKind::Directional { .. }));
     GpuScene {
         clip_from_world,
         world_from_clip: clip_from_world.inverse(),
@@ -107,7 +107,7 @@ fn gpu_scene(view: &View<'_>) -> GpuScene {
 fn gpu_light(light: &FrameLight) -> GpuLight {
     let FrameLight { light, colour, cone: [inner, outer] } = *light;
     let everywhere = GpuLight { colour, cone_scale: 0.0, cone_offset: 1.0, ..GpuLight::default() };
-    match light.kind {
+    match light.kind() {
         LightKind::Spot { position, direction, range, .. } => {
             // As KHR_lights_punctual has it.
             let cone_scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);
