@@ -96,7 +96,7 @@ pub enum SettingsError {
         /// What was given.
         value: f64,
         /// What is allowed, with the unit.
-        wanted: &'static str,
+        wanted: String,
     },
     /// Two settings that exclude each other.
     Conflict {

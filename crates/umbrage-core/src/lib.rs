@@ -16,7 +16,6 @@ mod aliasing;
 mod bias;
 mod bounds;
 mod camera;
-mod check;
 mod contact;
 mod convex;
 mod cull;
@@ -28,6 +27,7 @@ mod frustum;
 pub mod kernel;
 mod light;
 mod light_frustum;
+mod lookup;
 mod moments;
 mod plan;
 mod presets;
@@ -53,11 +53,13 @@ pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
 pub use few::ArrayVec;
 pub use filter::{
-    Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision,
-    NoiseSource, Pcss, Prefilter, SoftMoments, SummedVariance, Variance,
+    Disc, Exponential, ExponentialVariance, Family, Filter, Footprint, FourMoments, LightSize,
+    MomentPrecision, MomentTexel, NoiseSource, Pcss, Prefilter, ShaderNumber, ShaderValue, SoftMoments,
+    Stored, SummedVariance, TexelPrecision, Variance,
 };
 pub use frustum::Plane;
 pub use light::{Light, LightKind};
+pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, view_of};
 pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use presets::{PRESETS, Preset};
