@@ -7,7 +7,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context as _, early_out, ensure};
+use anyhow::{Context as _, bail, ensure};
 use flate2::{Compression, write::GzEncoder};
 use wasm_bindgen_cli_support::Bindgen;
 
@@ -80,7 +80,7 @@ fn toolchain() -> anyhow::Result<Command> {
         Path::new(sysroot.trim()).join("lib/rustlib/src/rust/library/std").is_dir()
     });
     if !source || !debian.iter().all(|path| path.exists()) {
-        early_out!(
+        bail!(
             "no Rust for {TARGET} is installed: `rustup target add {TARGET}`, or on Debian \
              `apt install rustc-web cargo-web rust-web-src lld-19`"
         );
