@@ -8,9 +8,9 @@
 
 use glam::{DVec2, DVec3, Mat4, Vec3};
 use umbrage::{Bias, Filter, Fit, Lookup, Settings, ShadowPlan};
-use umbrage_judge::temporal::{Anchor, Flicker, Seen};
-use umbrage_judge::{Claim, Edges, Error, Eye, Light, Truth, World};
-use umbrage_lab::{Laboratory, Motion, Shot, Watch};
+use umbrage_judge::temporal::{Anchor, AnchorResult, Flicker};
+use umbrage_judge::{Edges, Error, Eye, Light, ShadowResult, Truth, World};
+use umbrage_lab::{Laboratory, Motion, Shot, Watch, visibility_from};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
 use umbrage_scene::{Camera, Instance, Lens, Light as Lamp, Material, Mesh, Primitive, Scene, worlds};
 
@@ -133,11 +133,11 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
 /// What is true of the picture that was just drawn, and how wrong it is.
 fn judged(world: &World, camera: &Camera, renderer: &Renderer, texel: f32) -> (Truth, Edges, Error) {
     let picture = renderer.picture().expect("a picture");
-    let visibility: Vec<f32> = picture.rgba.iter().step_by(4).map(|v| f32::from(*v) / 255.0).collect();
+    let visibility = visibility_from(&picture);
     let truth = Truth::new(world, &Eye::new(camera, PIXELS, PIXELS), &Light::sun(Vec3::NEG_Y), 100.0);
     let edges = Edges::new(&truth);
-    let claim = Claim { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
-    let error = Error::new(world, &truth, &edges, None, &claim).expect("all is judged");
+    let result = ShadowResult { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
+    let error = Error::new(world, &truth, &edges, None, &result).expect("all is judged");
     (truth, edges, error)
 }
 
@@ -167,13 +167,13 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
         // Any two steps of this sequence are as good as independent.
         let phases = (0..640)
             .map(|i| DVec2::new(share(i * i, 0.618_033_988_749_895), share(i * i, 0.414_213_562_373_095)));
-        let claim: Vec<Vec<Seen>> = phases
+        let result: Vec<Vec<AnchorResult>> = phases
             .map(|phase| {
                 let camera = camera(phase * f64::from(8.0 * texel));
                 let plan = renderer.render(&frame(&camera, 1)).expect("a frame").plan;
                 let maps = renderer.maps().expect("maps");
                 let lookup = Lookup { plan: &plan, settings: &settings, maps: &maps };
-                let ask = |a: &Anchor| Seen {
+                let ask = |a: &Anchor| AnchorResult {
                     visibility: lookup.visibility(0, a.position.as_vec3(), a.normal.as_vec3()),
                     map: 0,
                 };
@@ -182,7 +182,7 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
             .collect();
         let world = World::new(&scene, 0.0);
         let truth = umbrage_judge::temporal::visibility(&world, &Light::sun(Vec3::NEG_Y), &anchors);
-        let flicker = Flicker::new(&claim, &vec![truth; claim.len()]);
+        let flicker = Flicker::new(&result, &vec![truth; result.len()]);
         let ratio = flicker.flip_rate * band / f64::from(texel) / law;
         println!("edge at {diagonal}°: {ratio:.4} of the law's flips");
         assert!((ratio - 1.0).abs() < 0.05, "{diagonal}°: {ratio} of the law's flips");

@@ -209,7 +209,7 @@ impl Judging {
             Some(coming) => {
                 stage.poll();
                 if let Some(picture) = coming.take() {
-                    let grey = picture?.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect();
+                    let grey = umbrage_lab::visibility_from(&picture?);
                     self.claims[side].push(grey);
                     self.coming = None;
                 }

@@ -68,7 +68,7 @@ fn visibility(
     }
     renderer.render(&Frame { show: Show::Visibility(lamp), ..frame.clone() })?;
     let picture = renderer.picture()?;
-    Ok(picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect())
+    Ok(umbrage_lab::visibility_from(&picture))
 }
 
 /// The same of every lamp that has some size, one after the other.
