@@ -81,8 +81,8 @@ fn toolchain() -> anyhow::Result<Command> {
     });
     if !source || !debian.iter().all(|path| path.exists()) {
         bail!(
-            "no Rust for {TARGET} is installed: `rustup target add {TARGET}`, or on Debian \
-             `apt install rustc-web cargo-web rust-web-src lld-19`"
+            "no Rust for {TARGET} is installed: `scripts/setup --web` installs it (`rustup target add {TARGET}`, or \
+             Debian's rustc-web, cargo-web, rust-web-src and lld-19)"
         );
     }
     let mut cargo = Command::new(debian[1]);

@@ -35,7 +35,7 @@ impl Judgement {
         let texel_metres = texel_metres(plan, settings, light, truth);
         let result = ShadowResult { visibility, texel_metres: &texel_metres };
         // The views of punctual lights are cut elsewhere, or not at all.
-        let is_sun = matches!(plan.lights()[light].kind, LightKind::Directional { .. });
+        let is_sun = matches!(plan.lights()[light].kind(), LightKind::Directional { .. });
         let cuts = if is_sun { plan.splits() } else { &[] };
         let counts = TruthCounts {
             pixels: truth.judged(),
