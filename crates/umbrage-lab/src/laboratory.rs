@@ -252,7 +252,7 @@ impl<'a> Laboratory<'a> {
     /// Of each lamp, the visibility of every pixel.
     fn visibility(&mut self, frame: &Frame, area: Option<Area>) -> Result<Vec<Vec<f32>>, LabError> {
         let of_lamp = |lamp| match area {
-            None => Ok(grey(&self.picture(frame, Show::Visibility(lamp))?)),
+            None => Ok(self.picture(frame, Show::Visibility(lamp))?.visibility()),
             Some(area) => Ok(self.renderer.area(frame, lamp, area)?.visibility),
         };
         (0..frame.lamps.len()).map(of_lamp).collect()
@@ -322,9 +322,4 @@ fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
 #[cfg(target_arch = "wasm32")]
 fn flip(_reference: &Picture, _test: &Picture) -> Option<f64> {
     None
-}
-
-/// Visibility of every pixel, from its grey.
-fn grey(picture: &Picture) -> Vec<f32> {
-    picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect()
 }

@@ -1,4 +1,8 @@
-//! Settings from a preset and tables over it: the same for the command line and for experiments.
+//! Settings from a preset and tables over it: the same for the command line, the viewer and experiments.
+
+mod layers;
+
+pub use layers::Layers;
 
 use toml::{Table, Value};
 use umbrage::{PRESETS, Preset, Settings, SettingsError};
@@ -30,6 +34,16 @@ pub enum WrongSettings {
     /// A value outside its range.
     #[error(transparent)]
     Range(#[from] SettingsError),
+    /// Any of these, in a file.
+    #[error("line {line}, {wrong}, in {file}")]
+    File {
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong there.
+        wrong: Box<WrongSettings>,
+        /// The file's name.
+        file: String,
+    },
 }
 
 impl WrongSettings {
@@ -41,6 +55,7 @@ impl WrongSettings {
             Self::Range(SettingsError::OutOfRange { key, .. }) => key,
             Self::Range(SettingsError::Manual { .. }) => "manual",
             Self::Range(_) => "",
+            Self::File { wrong, .. } => wrong.key(),
         }
     }
 }
@@ -129,11 +144,8 @@ pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
 /// # Errors
 /// What is wrong first.
 pub fn asked(name: &str, words: &[impl AsRef<str>]) -> Result<Settings, WrongSettings> {
-    let mut table = preset(name)?;
-    for words in words {
-        overlay(&mut table, from_words(words.as_ref())?);
-    }
-    checked(table)
+    let layers = Layers::preset(name)?;
+    words.iter().try_fold(layers, |layers, words| layers.words(words.as_ref()))?.settings()
 }
 
 /// The key at fault, levels parted by dots, and what is wrong with it.

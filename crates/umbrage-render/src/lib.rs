@@ -25,6 +25,7 @@ mod shading;
 mod target;
 mod textures;
 mod timing;
+mod visibility;
 
 pub use area::{Area, AreaRendered, MOST_SAMPLES};
 pub use ask::Point;

@@ -15,7 +15,7 @@ const SPLITS: [[f32; 3]; 9] = [
     [0.50, 0.50, 0.50],
 ];
 
-/// Of a split, or of a face of a cube.
+/// The colour of a split, or of a face of a point light's cube.
 pub fn of_split(split: usize) -> Color32 {
     let [red, green, blue] = SPLITS[split % SPLITS.len()];
     Rgba::from_rgb(red, green, blue).into()

@@ -67,8 +67,7 @@ fn visibility(
         return Ok(renderer.area(frame, lamp, area)?.visibility);
     }
     renderer.render(&Frame { show: Show::Visibility(lamp), ..frame.clone() })?;
-    let picture = renderer.picture()?;
-    Ok(picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect())
+    Ok(renderer.picture()?.visibility())
 }
 
 /// The same of every lamp that has some size, one after the other.
