@@ -27,19 +27,15 @@ pub fn choose(context: &egui::Context) -> Opening {
     })
 }
 
-/// Asks for a page that `umbrage report` has made, and opens it in the browser.
+/// Asks for a page that `umbrage report` has made, and opens it in the browser; the task gives nothing but an error.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn choose_report(context: &egui::Context) {
-    let context = context.clone();
-    std::thread::spawn(move || {
-        let dialog = rfd::AsyncFileDialog::new().add_filter("pages", &["html"]);
-        if let Some(file) = pollster::block_on(dialog.pick_file()) {
-            // Only a relative path has no URL, and a dialog gives none.
-            if let Ok(url) = url::Url::from_file_path(file.path()) {
-                context.open_url(egui::OpenUrl::new_tab(url));
-            }
-        }
-    });
+pub fn choose_report(context: &egui::Context) -> Opening {
+    let dialog = rfd::AsyncFileDialog::new().add_filter("pages", &["html"]);
+    Task::wait_for("choosing a page", context, async move {
+        let Some(file) = dialog.pick_file().await else { return Ok(None) };
+        let path = file.path();
+        open::that(path).map(|()| None).map_err(|why| format!("cannot open {}: {why}", path.display()))
+    })
 }
 
 /// Opens the files that were dropped since the last frame. Of several the world is meant: what it refers to lies beside it.

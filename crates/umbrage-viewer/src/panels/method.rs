@@ -68,7 +68,7 @@ fn lines(ui: &mut egui::Ui, view: &mut ViewState) {
 /// The plot of the split distances, and λ.
 fn split_distances(ui: &mut egui::Ui, plan: &ShadowPlan, settings: &Settings) -> Option<Action> {
     // The view is split for suns; punctual lights have depths of their own.
-    let has_sun = plan.lights().iter().any(|light| matches!(light.kind, LightKind::Directional { .. }));
+    let has_sun = plan.lights().iter().any(|light| matches!(light.kind(), LightKind::Directional { .. }));
     let lambda = (settings.scheme == Scheme::Practical).then_some(settings.lambda);
     let chosen = has_sun.then(|| split_plot::show(ui, plan.splits(), lambda)).flatten()?;
     let changed = edit::with(settings, schema::key("lambda")?, Some(f64::from(chosen).into())).ok()?;

@@ -26,7 +26,7 @@ impl Viewer {
             Action::Load(source) => self.load(context, source),
             Action::ChooseFile => self.tasks.opening = Some(files::choose(context)),
             #[cfg(not(target_arch = "wasm32"))]
-            Action::ChooseReport => files::choose_report(context),
+            Action::ChooseReport => self.tasks.opening = Some(files::choose_report(context)),
             Action::CopyToml => {
                 self.copy(context, |settings| edit::file(settings).map_err(|why| why.to_string()));
             }
