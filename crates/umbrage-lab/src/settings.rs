@@ -5,7 +5,7 @@ mod layers;
 pub use layers::Layers;
 
 use toml::{Table, Value};
-use umbrage::{PRESETS, Preset, Settings, SettingsError};
+use umbrage::{PRESETS, Preset, Settings, SettingsError, schema};
 
 /// No setting lies deeper than `filter.size`; a little more, so that the error can say which key it does not know.
 const DEEPEST: usize = 4;
@@ -31,6 +31,14 @@ pub enum WrongSettings {
         /// What is wrong with it, and what would be right.
         wrong: String,
     },
+    /// A key that has another name now.
+    #[error("`{key}` is now `{now}`")]
+    Renamed {
+        /// The setting's old name, levels parted by dots.
+        key: String,
+        /// Its name now.
+        now: &'static str,
+    },
     /// A value outside its range.
     #[error(transparent)]
     Range(#[from] SettingsError),
@@ -51,7 +59,7 @@ impl WrongSettings {
     pub fn key(&self) -> &str {
         match self {
             Self::Preset(_) | Self::Words(_) => "",
-            Self::Key(key) | Self::Value { key, .. } => key,
+            Self::Key(key) | Self::Value { key, .. } | Self::Renamed { key, .. } => key,
             Self::Range(SettingsError::OutOfRange { key, .. }) => key,
             Self::Range(SettingsError::Manual { .. }) => "manual",
             Self::Range(_) => "",
@@ -126,6 +134,10 @@ pub fn overlay(table: &mut Table, over: Table) {
 /// # Errors
 /// The first key that is unknown or whose value is of another kind or out of range.
 pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
+    // serde would call them unknown, and not say where in a filter they are.
+    if let Some((key, now)) = old_name(&table, "") {
+        return Err(WrongSettings::Renamed { key, now });
+    }
     let settings: Settings = table.try_into().map_err(|why: toml::de::Error| {
         let (key, wrong) = fault(why);
         WrongSettings::Value { key, wrong }
@@ -137,6 +149,18 @@ pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
         return Err(WrongSettings::Value { key: "manual".to_owned(), wrong });
     }
     Ok(settings)
+}
+
+/// The first key of a table that has another name now, and that name.
+fn old_name(table: &Table, prefix: &str) -> Option<(String, &'static str)> {
+    table.iter().find_map(|(name, value)| {
+        let key = if prefix.is_empty() { name.clone() } else { format!("{prefix}.{name}") };
+        match (schema::renamed(&key), value) {
+            (Some(now), _) => Some((key, now)),
+            (None, Value::Table(inner)) => old_name(inner, &key),
+            (None, _) => None,
+        }
+    })
 }
 
 /// A preset's settings with `key=value` over them, one after the other, checked.
@@ -199,6 +223,7 @@ mod tests {
             ("filter.kind=blur", "filter.kind", "blur"),
             ("filter.kind=pcf", "filter.size", "missing field"),
             ("filter.taps=3", "filter.taps", "unknown field"),
+            ("bias.layer=first", "bias.layer", "`bias.layer` is now `bias.depth_layer`"),
             ("bias.normale=3", "bias.normale", "unknown field"),
             ("manual=[1.0, inf]", "manual", "finite"),
             ("scheme=manual", "manual", "rising"),

@@ -247,6 +247,7 @@ fn refuse_settings(
         WrongSettings::Preset(_)
         | WrongSettings::Words(_)
         | WrongSettings::Key(_)
+        | WrongSettings::Renamed { .. }
         | WrongSettings::Range(_)
         | WrongSettings::File { .. } => wrong.to_string(),
     };

@@ -136,6 +136,8 @@ mod tests {
             ("[shadows]\n[shadows.bias]\nnormal = 1.0\nnormale = 2.0\n", 4, "bias.normale"),
             ("[shadows]\nsplits = 2\n[shadows.filter]\nkind = \"pcf\"\n", 3, "filter.size"),
             ("[shadows]\nscheme = \"manual\"\n", 1, "manual"),
+            ("[shadows]\nfilter = { kind = \"pcss\", seed = \"world\" }\n", 2, "filter.seed"),
+            ("[shadows.filter]\nkind = \"vsm\"\nprefilter.shrink = 2\n", 3, "filter.prefilter.shrink"),
             ("# none\nsplits = 3\n", 1, "shadows"),
             ("[shadows]\nsplits = \n", 2, "shadows"),
         ] {
@@ -148,6 +150,13 @@ mod tests {
             assert!(words.contains(key) && !words.contains('\n'), "{words}");
             assert_eq!(wrong.key(), key, "{words}");
         }
+    }
+
+    #[test]
+    fn an_old_name_is_refused_with_the_new_one() {
+        let wrong =
+            resolve("[shadows.filter]\nkind = \"vogel\"\nbail = true\n", &[]).expect_err("an old name");
+        assert_eq!(wrong.to_string(), "line 3, `filter.bail` is now `filter.early_out`, in a.toml");
     }
 
     #[test]
