@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use eframe::{egui, egui_wgpu, wgpu};
 use umbrage::{Settings, ShadowPlan};
-use umbrage_render::{ComingPicture, Frame, Gpu, MapLook, RenderError, Renderer, ViewLoad};
+use umbrage_render::{ComingPicture, Drawn, Frame, Gpu, MapLook, RenderError, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
 use crate::timings::PassTimes;
@@ -108,28 +108,28 @@ impl Drawing {
         self.gpu.device.limits().max_texture_dimension_2d
     }
 
-    /// Draws another frame of a side to be read back, beside its picture.
+    /// Draws another picture of a side's frame to be read back, beside the one that is shown; `None` before the first
+    /// picture.
     ///
     /// # Errors
-    /// As [`Renderer::draw`].
-    pub fn request(&mut self, side: usize, frame: &Frame) -> Result<ComingPicture, RenderError> {
-        self.sides[side].request(frame)
+    /// As [`Renderer::show`].
+    pub fn request(&mut self, side: usize, show: Show) -> Result<Option<ComingPicture>, RenderError> {
+        self.sides[side].request(show)
     }
 
-    /// Requests a side's picture as it is, to be saved; `None` before the first picture.
+    /// Requests a side's picture as it is shown, to be saved; `None` before the first picture.
     ///
     /// # Errors
-    /// As [`Renderer::draw`].
-    pub fn request_picture(&mut self, side: usize) -> Result<Option<ComingPicture>, RenderError> {
-        let Some(frame) = self.sides[side].frame().cloned() else { return Ok(None) };
-        self.request(side, &frame).map(Some)
+    /// As [`Drawn::coming_picture`].
+    pub fn request_picture(&self, side: usize) -> Result<Option<ComingPicture>, RenderError> {
+        self.sides[side].drawn().map(Drawn::coming_picture).transpose()
     }
 
     /// The shape that covers a rectangle of the screen with a side's picture.
     pub fn picture(&self, side: usize, rect: egui::Rect) -> Option<egui::Shape> {
         let side = self.sides.get(side)?;
         if let Some(blit) = &self.blit {
-            return Some(blit.shape(&self.window, side.texture()?, rect));
+            return Some(blit.shape(&self.window, &side.texture()?, rect));
         }
         let whole = egui::Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
         Some(egui::Shape::image(side.id()?, rect, whole, egui::Color32::WHITE))
@@ -137,12 +137,12 @@ impl Drawing {
 
     /// The shadow plan of a side's picture.
     pub fn plan(&self, side: usize) -> Option<&ShadowPlan> {
-        Some(&self.sides.get(side)?.drawn()?.plan)
+        Some(self.sides.get(side)?.drawn()?.plan())
     }
 
     /// What was drawn into each view of a side's plan.
     pub fn loads(&self, side: usize) -> &[ViewLoad] {
-        self.sides.get(side).and_then(Side::drawn).map_or(&[], |drawn| &drawn.views)
+        self.sides.get(side).and_then(Side::drawn).map_or(&[], Drawn::loads)
     }
 
     /// The size of a side's shadow maps and of what is made of them, bytes.
@@ -150,7 +150,8 @@ impl Drawing {
         self.sides.get(side).map_or(0, Side::bytes)
     }
 
-    /// The shadow map of a view of a side, as a picture of `side_px` pixels a side.
+    /// The shadow map of a view of a side, as a picture of `side_px` pixels a side. Where the maps are not those of the
+    /// picture any more, it is the one of before; `None` where there is none.
     ///
     /// # Errors
     /// As [`Renderer::map_picture`].
@@ -160,9 +161,9 @@ impl Drawing {
         view: usize,
         look: MapLook,
         side_px: u32,
-    ) -> Result<egui::TextureId, RenderError> {
+    ) -> Result<Option<egui::TextureId>, RenderError> {
         let picture = self.sides[side].map_picture(view, look, side_px)?;
-        Ok(self.map.show(&self.window, &picture))
+        Ok(picture.map_or(self.map.id(), |picture| Some(self.map.show(&self.window, &picture))))
     }
 
     /// Lets requested pictures come. A browser does that by itself.

@@ -160,21 +160,12 @@ impl ViewState {
     /// # Errors
     /// When a camera or a light cannot be one of the renderer's.
     pub fn frame(&self, scene: &Scene, [width, height]: [u32; 2]) -> Result<Frame, RenderError> {
-        let camera = |camera: &Camera| umbrage_render::camera(camera, width as f32 / height as f32);
         let lights = self.lights(scene);
-        Ok(Frame {
-            camera: camera(&self.camera())?,
-            planned_for: self.frozen_camera.as_ref().map(camera).transpose()?,
-            lamps: lights
-                .iter()
-                .map(|light| umbrage_render::lamp(light, self.seconds))
-                .collect::<Result<_, _>>()?,
-            seconds: self.seconds,
-            width,
-            height,
-            samples: if self.multisampled { 4 } else { 1 },
-            show: Show::World,
-        })
+        let frame = Frame::of(&self.camera(), &lights, self.seconds, [width, height], Show::World)?;
+        let frozen = self.frozen_camera.as_ref();
+        let planned_for =
+            frozen.map(|camera| umbrage_render::camera(camera, width as f32 / height as f32)).transpose()?;
+        Ok(Frame { planned_for, samples: if self.multisampled { 4 } else { 1 }, ..frame })
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use eframe::{egui, egui_wgpu, wgpu};
 use umbrage::Settings;
-use umbrage_render::{ComingPicture, Drawn, Frame, MapLook, RenderError, Renderer};
+use umbrage_render::{ComingPicture, Drawn, Frame, MapLook, RenderError, Renderer, Show};
 
 use super::texture::EguiTexture;
 use crate::timings::PassTimes;
@@ -17,8 +17,6 @@ pub struct Side {
     renderer: Renderer,
     /// What is on the screen; `None` before the first picture.
     shown: Option<Shown>,
-    /// Whether that must be drawn anew, whatever the next frame is.
-    is_outdated: bool,
     /// egui's name for the picture, where egui puts it on the screen.
     egui_texture: EguiTexture,
     /// A place for each frame whose times have not come: how long planning took, milliseconds, or `None` where its times are
@@ -26,23 +24,17 @@ pub struct Side {
     awaited: VecDeque<Option<f64>>,
 }
 
-/// A frame, and what came of drawing it.
+/// A frame that was drawn with some settings; it owns its picture as long as that is shown.
 struct Shown {
     frame: Frame,
+    settings: Settings,
     drawn: Drawn,
-    texture: wgpu::TextureView,
 }
 
 impl Side {
     /// Returns a side on which nothing was drawn yet.
     pub fn new(renderer: Renderer) -> Self {
-        Self {
-            renderer,
-            shown: None,
-            is_outdated: true,
-            egui_texture: EguiTexture::default(),
-            awaited: VecDeque::new(),
-        }
+        Self { renderer, shown: None, egui_texture: EguiTexture::default(), awaited: VecDeque::new() }
     }
 
     /// Returns a renderer of the same scene with other settings.
@@ -51,9 +43,7 @@ impl Side {
     }
 
     pub fn set_settings(&mut self, settings: &Settings) -> Result<(), RenderError> {
-        self.renderer.set_settings(settings.clone())?;
-        self.is_outdated = true;
-        Ok(())
+        self.renderer.set_settings(settings.clone())
     }
 
     /// Shows a frame, and returns whether it had to be drawn. `window` is where egui puts pictures on the screen.
@@ -62,17 +52,19 @@ impl Side {
         frame: &Frame,
         window: Option<&egui_wgpu::RenderState>,
     ) -> Result<bool, RenderError> {
-        if !self.is_outdated && self.frame() == Some(frame) {
+        let settings = self.renderer.shadows().settings();
+        let is_wanted = |shown: &Shown| shown.frame == *frame && shown.settings == *settings;
+        if self.shown.as_ref().is_some_and(is_wanted) {
             return Ok(false);
         }
+        let settings = settings.clone();
         let drawn = self.renderer.draw(frame)?;
-        let texture = self.renderer.shown()?;
+        let texture = drawn.shown()?;
         if let Some(window) = window {
             self.egui_texture.show(window, &texture);
         }
-        self.awaited.push_back(Some(drawn.plan_milliseconds));
-        self.shown = Some(Shown { frame: frame.clone(), drawn, texture });
-        self.is_outdated = false;
+        self.awaited.push_back(Some(drawn.plan_milliseconds()));
+        self.shown = Some(Shown { frame: frame.clone(), settings, drawn });
         Ok(true)
     }
 
@@ -82,37 +74,37 @@ impl Side {
         &mut self,
         camera: &umbrage_scene::Camera,
     ) -> Result<Option<(f64, [u32; 2])>, RenderError> {
-        let Some(frame) = self.frame().cloned() else { return Ok(None) };
-        self.is_outdated = true;
+        let Some(Shown { frame, .. }) = &self.shown else { return Ok(None) };
         let size = [frame.width, frame.height];
+        let camera = umbrage_render::camera(camera, frame.width as f32 / frame.height as f32)?;
+        let frame = Frame { camera, ..frame.clone() };
         // Times that nobody asked for would be taken for this frame's.
         while self.renderer.pass_times().is_some() {}
         self.awaited.clear();
-        let camera = umbrage_render::camera(camera, frame.width as f32 / frame.height as f32)?;
-        let times = self.renderer.render(&Frame { camera, ..frame })?.times;
-        Ok(Some((times.frame, size)))
+        Ok(Some((self.renderer.render(&frame)?.times.frame, size)))
     }
 
-    /// Draws a frame that is not shown, to be read back.
-    pub fn request(&mut self, frame: &Frame) -> Result<ComingPicture, RenderError> {
-        self.renderer.draw(frame)?;
+    /// Draws another picture of what is shown, to be read back: from its own shadow maps, where there are any.
+    pub fn request(&mut self, show: Show) -> Result<Option<ComingPicture>, RenderError> {
+        let Some(Shown { frame, drawn, .. }) = &self.shown else { return Ok(None) };
+        let beside = if !drawn.plan().views().is_empty() && self.renderer.has_maps_of(drawn) {
+            self.renderer.show(drawn, &show)?
+        } else {
+            self.renderer.draw(&Frame { show, ..frame.clone() })?
+        };
         self.awaited.push_back(None);
-        self.renderer.coming_picture()
+        beside.coming_picture().map(Some)
     }
 
-    /// The frame that is shown.
-    pub fn frame(&self) -> Option<&Frame> {
-        self.shown.as_ref().map(|shown| &shown.frame)
-    }
-
-    /// What came of drawing it.
+    /// What came of drawing the frame that is shown.
     pub fn drawn(&self) -> Option<&Drawn> {
         self.shown.as_ref().map(|shown| &shown.drawn)
     }
 
     /// The picture on the screen.
-    pub fn texture(&self) -> Option<&wgpu::TextureView> {
-        self.shown.as_ref().map(|shown| &shown.texture)
+    pub fn texture(&self) -> Option<wgpu::TextureView> {
+        // One that cannot be shown was refused when it was drawn.
+        self.drawn()?.shown().ok()
     }
 
     /// egui's id of it, where egui puts it on the screen.
@@ -124,13 +116,18 @@ impl Side {
         self.renderer.shadows().bytes()
     }
 
+    /// The shadow map of a view as a picture; `None` where the maps are not those of what is shown any more.
     pub fn map_picture(
         &mut self,
         view: usize,
         look: MapLook,
         side_px: u32,
-    ) -> Result<wgpu::TextureView, RenderError> {
-        self.renderer.map_picture(view, look, side_px)
+    ) -> Result<Option<wgpu::TextureView>, RenderError> {
+        let Some(Shown { drawn, .. }) = &self.shown else { return Ok(None) };
+        if !self.renderer.has_maps_of(drawn) {
+            return Ok(None);
+        }
+        self.renderer.map_picture(drawn, view, look, side_px).map(Some)
     }
 
     pub fn times(&mut self) -> Vec<PassTimes> {

@@ -32,7 +32,8 @@ pub fn show(
                 return None;
             };
             match drawing.map(0, *chosen, *map_look, SIDE_PX) {
-                Ok(id) => {
+                Ok(None) => None,
+                Ok(Some(id)) => {
                     let side = ui.available_width().min(ui.available_height().max(200.0));
                     let image = egui::Image::new((id, egui::Vec2::splat(side))).alt_text(name);
                     ui.add(image).on_hover_text("Dark is near the light, unless inverted.");

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use eframe::egui;
 use umbrage_judge::{Edges, Eye, Progress, Tally, Tile, World};
-use umbrage_render::{ComingPicture, Frame, RenderError, Show};
+use umbrage_render::{ComingPicture, RenderError, Show};
 use web_time::Instant;
 
 use super::paint;
@@ -100,9 +100,7 @@ impl Comparison {
         let visibility = &mut self.sides[side].visibility;
         match &self.coming {
             None => {
-                let show = Show::Visibility(visibility.len());
-                let frame = Frame { show, samples: 1, ..self.shot.frame.clone() };
-                self.coming = Some(drawing.request(side, &frame)?);
+                self.coming = drawing.request(side, Show::Visibility(visibility.len()))?;
             }
             Some(coming) => {
                 drawing.poll();
