@@ -5,12 +5,11 @@ use std::time::Duration;
 
 use umbrage::{Settings, ShadowPlan};
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, Renderer, Show};
+use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, Rendered, Renderer, Show};
 use umbrage_scene::Scene;
 
 use crate::aliasing::Aliasing;
 use crate::error::LabError;
-use crate::grey::visibility_from;
 use crate::heat::heat_map;
 use crate::judgement::{Judgement, pooled, verdicts};
 use crate::measurement::{Measurement, Milliseconds};
@@ -89,11 +88,13 @@ impl<'a> Laboratory<'a> {
         self.use_settings(settings)?;
         let frame = shot.frame(Show::World)?;
         let visibility = self.visibility(&frame, area)?;
-        let plan = self.renderer.render(&frame)?.plan;
+        let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
+        let plan = drawn.plan().clone();
         let shaded = match area {
-            None => self.renderer.picture()?,
+            None => drawn.picture()?,
             Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
         };
+        drop(drawn);
         let times = self.times(&frame, area, frames)?;
 
         let start = web_time::Instant::now();
@@ -165,12 +166,13 @@ impl<'a> Laboratory<'a> {
     /// As [`Self::judge`], and when there is no light with that index.
     pub fn aliasing(&mut self, shot: &Shot, settings: &Settings, light: usize) -> Result<Aliasing, LabError> {
         self.use_settings(settings)?;
-        let plan = self.renderer.render(&shot.frame(Show::World)?)?.plan;
+        let Rendered { drawn, times: _ } = self.renderer.render(&shot.frame(Show::World)?)?;
+        let plan = drawn.plan();
         let world = self.world_at(shot.seconds);
-        let traced = self.truths.hard(shot, shadow_distance(&plan), &world);
+        let traced = self.truths.hard(shot, shadow_distance(plan), &world);
         let missing = || LabError::Missing { what: format!("light {light}"), world: self.scene.name.clone() };
         let Traced { truth, .. } = traced.get(light).ok_or_else(missing)?;
-        Ok(Aliasing::new(&plan, settings, light, truth))
+        Ok(Aliasing::new(plan, settings, light, truth))
     }
 
     /// Takes over the settings that shadows are made with from now on.
@@ -216,17 +218,16 @@ impl<'a> Laboratory<'a> {
     }
 
     fn picture(&mut self, frame: &Frame, show: Show) -> Result<Picture, LabError> {
-        self.renderer.render(&Frame { show, ..frame.clone() })?;
-        Ok(self.renderer.picture()?)
+        Ok(self.renderer.render(&Frame { show, ..frame.clone() })?.drawn.picture()?)
     }
 
     /// The visibility of every pixel, one list for each light.
     fn visibility(&mut self, frame: &Frame, area: Option<Area>) -> Result<Vec<Vec<f32>>, LabError> {
         let of_light = |light| match area {
-            None => Ok(visibility_from(&self.picture(frame, Show::Visibility(light))?)),
+            None => Ok(self.picture(frame, Show::Visibility(light))?.visibility()),
             Some(area) => Ok(self.renderer.area(frame, light, area)?.visibility),
         };
-        (0..frame.lamps.len()).map(of_light).collect()
+        (0..frame.lights.len()).map(of_light).collect()
     }
 
     /// Times of `frames` frames, each with all samples of all lights where those have some size.
@@ -234,7 +235,7 @@ impl<'a> Laboratory<'a> {
         let once = |_| {
             let Some(area) = area else { return Ok(self.renderer.render(frame)?.times) };
             let mut times = FrameTimes::default();
-            for light in 0..frame.lamps.len() {
+            for light in 0..frame.lights.len() {
                 times += self.renderer.area(frame, light, area)?.times;
             }
             Ok(times)

@@ -20,9 +20,9 @@ pub mod tabulate;
 mod error;
 mod experiment;
 mod flicker;
-mod grey;
 mod judgement;
 mod laboratory;
+mod lines;
 mod measure;
 mod measurement;
 mod path;
@@ -35,7 +35,6 @@ mod truths;
 
 pub use error::LabError;
 pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Variant};
-pub use grey::visibility_from;
 pub use laboratory::{Judged, Laboratory};
 pub use measurement::{Machine, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts};
 pub use path::{Motion, Watch};

@@ -1,6 +1,6 @@
 //! A picture to take: from where, when, how large, and by which lights.
 
-use umbrage_render::{Frame, RenderError, Show, lamp};
+use umbrage_render::{Frame, RenderError, Show};
 use umbrage_scene::Camera;
 
 /// A shot is a picture to take.
@@ -25,16 +25,6 @@ impl Shot {
     /// When the camera or a light cannot be used; the error names it.
     pub fn frame(&self, show: Show) -> Result<Frame, RenderError> {
         let Self { camera, lights, seconds, width, height } = self;
-        let lamps = lights.iter().map(|light| lamp(light, *seconds));
-        Ok(Frame {
-            camera: umbrage_render::camera(camera, *width as f32 / *height as f32)?,
-            planned_for: None,
-            lamps: lamps.collect::<Result<_, RenderError>>()?,
-            seconds: *seconds,
-            width: *width,
-            height: *height,
-            samples: 1,
-            show,
-        })
+        Frame::of(camera, lights, *seconds, [*width, *height], show)
     }
 }

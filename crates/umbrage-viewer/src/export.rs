@@ -1,0 +1,190 @@
+//! Pictures and experiments as files: beside the program, or as downloads of the browser.
+
+use umbrage::Settings;
+use umbrage_render::Picture;
+use umbrage_scene::{Camera, Light, Scene};
+
+use crate::edit;
+use crate::load::Source;
+use crate::view_state::ViewState;
+use crate::world::World;
+
+/// The name of the viewer's camera in the world of an experiment.
+const CAMERA: &str = "viewer";
+
+/// Saves a picture as a PNG file, and returns where.
+///
+/// # Errors
+/// When it has no pixels, or the file cannot be written.
+pub fn save_picture(picture: &Picture) -> Result<String, String> {
+    save("umbrage", "png", &png(picture)?)
+}
+
+/// Saves an experiment of what the view shows, and a copy of the world where its name does not say enough. Returns where the
+/// experiment is.
+///
+/// # Errors
+/// When the animation has begun, since experiments are of its start, or a file cannot be written.
+pub fn save_experiment(world: &World, view: &ViewState) -> Result<String, String> {
+    if view.seconds != 0.0 {
+        return Err("experiments are of the start of time: set the time to 0 s first".to_owned());
+    }
+    let (camera, lights) = (view.camera(), view.lights(&world.scene));
+    let experiment = Experiment {
+        world: world.source.name(),
+        scene: &world.scene,
+        camera: &camera,
+        lights: &lights,
+        settings: view.edited_settings(),
+        size: [640, 360],
+    };
+    let has_name = matches!(world.source, Source::Named(_));
+    let file = if experiment.camera_name().is_some() && has_name {
+        None
+    } else {
+        Some(save("umbrage-experiment", "glb", &experiment.world_file()?)?)
+    };
+    save("umbrage-experiment", "toml", experiment.text(file.as_deref())?.as_bytes())
+}
+
+/// Writes a file whose name starts with `stem`, beside others of the kind, and returns where.
+fn save(stem: &str, extension: &str, bytes: &[u8]) -> Result<String, String> {
+    #[cfg(target_arch = "wasm32")]
+    {
+        let name = format!("{stem}.{extension}");
+        crate::browser::download(&name, bytes)?;
+        Ok(name)
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        let name =
+            |i: u32| if i == 1 { format!("{stem}.{extension}") } else { format!("{stem}-{i}.{extension}") };
+        let free = (1..10_000).map(name).find(|name| !std::path::Path::new(name).exists());
+        let path = std::path::PathBuf::from(free.ok_or("there are too many such files here already")?);
+        umbrage_lab::files::write(&path, bytes).map_err(|why| why.to_string())?;
+        Ok(path.canonicalize().unwrap_or(path).display().to_string())
+    }
+}
+
+fn png(picture: &Picture) -> Result<Vec<u8>, String> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let Picture { width, height, rgba } = picture;
+    let kind = image::ExtendedColorType::Rgba8;
+    image::write_buffer_with_format(&mut bytes, rgba, *width, *height, kind, image::ImageFormat::Png)
+        .map_err(|why| why.to_string())?;
+    Ok(bytes.into_inner())
+}
+
+/// An experiment of one picture.
+#[derive(Clone, Debug)]
+struct Experiment<'a> {
+    /// The world's name, or the path that it came from.
+    world: &'a str,
+    scene: &'a Scene,
+    camera: &'a Camera,
+    lights: &'a [Light],
+    settings: &'a Settings,
+    /// Size of the picture, pixels.
+    size: [u32; 2],
+}
+
+impl Experiment<'_> {
+    /// The name of the world's camera that this one is but for rounding; `None` where it is none of them, or the lights are
+    /// not the world's.
+    fn camera_name(&self) -> Option<&str> {
+        let Camera { world_from_camera, lens, near, far, .. } = self.camera;
+        let is_same = |other: &&Camera| {
+            let is_there = other.world_from_camera.abs_diff_eq(*world_from_camera, 1e-4);
+            is_there && (other.lens, other.near, other.far) == (*lens, *near, *far)
+        };
+        let camera = self.scene.cameras.iter().find(is_same).filter(|_| self.scene.lights == self.lights)?;
+        Some(&camera.name)
+    }
+
+    /// The world with the camera and the lights, as a GLB file.
+    fn world_file(&self) -> Result<Vec<u8>, String> {
+        let camera = Camera { name: CAMERA.to_owned(), ..self.camera.clone() };
+        let cameras = std::iter::once(camera).chain(self.scene.cameras.iter().cloned()).collect();
+        let scene = Scene { cameras, lights: self.lights.to_vec(), ..self.scene.clone() };
+        umbrage_scene::to_glb(&scene).map_err(|why| why.to_string())
+    }
+
+    /// The experiment as `umbrage report` reads it. `world_file` is where the world was saved, where it was.
+    fn text(&self, world_file: Option<&str>) -> Result<String, String> {
+        let mut set = edit::file(self.settings).map_err(|why| why.to_string())?;
+        set = set.replace("[shadows", "[variants.set");
+        let (world, camera) = match world_file {
+            Some(file) => (file, CAMERA),
+            None => (self.world, self.camera_name().unwrap_or(CAMERA)),
+        };
+        let [width, height] = self.size;
+        let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
+        Ok(format!(
+            "# Run with: umbrage report THIS.toml -o DIR\n\
+             title = {title}\nsource = \"this project\"\nreported = \"A picture saved from the viewer.\"\n\
+             worlds = [{world}]\ncameras = [{camera}]\nsize = [{width}, {height}]\n\
+             columns = [\"error.mis_shadowed\", \"error.false_shadow\", \"error.false_light\", \"error.edge_displacement_px\"]\n\n\
+             [[variants]]\nname = \"viewer\"\n\n{set}",
+            title = quoted(&format!("{} from the viewer", self.scene.name)),
+            world = quoted(world),
+            camera = quoted(camera),
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_experiment_is_one_that_the_lab_reads() {
+        let scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        for preset in umbrage::PRESETS {
+            let settings = (preset.settings)();
+            // As the viewer has it: taken apart and put together.
+            let camera = crate::flight::Flight::at(&scene.cameras[1], 10.0).camera();
+            let experiment = Experiment {
+                world: "primitives",
+                scene: &scene,
+                camera: &camera,
+                lights: &scene.lights,
+                settings: &settings,
+                size: [320, 200],
+            };
+            assert_eq!(experiment.camera_name(), Some(scene.cameras[1].name.as_str()));
+            let text = experiment.text(None).expect("an experiment");
+            let folder = tempfile::tempdir().expect("a folder");
+            let path = folder.path().join("experiment.toml");
+            std::fs::write(&path, &text).expect("a file");
+            let read = umbrage_lab::Experiment::read(&path).unwrap_or_else(|why| panic!("{why}: {text}"));
+            assert_eq!((read.worlds, read.size), (vec!["primitives".to_owned()], [320, 200]));
+            assert_eq!(read.variants.len(), 1, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_camera_of_ones_own_goes_along_with_its_world() {
+        let scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        let mut camera = scene.cameras[0].clone();
+        camera.far *= 0.5;
+        let experiment = Experiment {
+            world: "primitives",
+            scene: &scene,
+            camera: &camera,
+            lights: &scene.lights,
+            settings: &Settings::default(),
+            size: [64, 64],
+        };
+        assert_eq!(experiment.camera_name(), None);
+        let bytes = experiment.world_file().expect("a file");
+        let read = umbrage_scene::load_glb_bytes(&bytes, "experiment").expect("a world").scene;
+        assert_eq!((read.cameras[0].name.as_str(), read.triangles()), ("viewer", scene.triangles()));
+    }
+
+    #[test]
+    fn a_picture_is_a_png() {
+        let picture = Picture { width: 2, height: 1, rgba: vec![1, 2, 3, 255, 4, 5, 6, 255] };
+        let bytes = png(&picture).expect("a file");
+        assert_eq!(image::load_from_memory(&bytes).expect("a picture").to_rgba8().into_raw(), picture.rgba);
+    }
+}
