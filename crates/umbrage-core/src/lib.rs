@@ -64,8 +64,8 @@ pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use presets::{PRESETS, Preset};
 pub use settings::{
-    Bias, CasterFaces, DepthFormat, DepthLayer, Fit, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
-    Storage, Warp,
+    Bias, CasterFaces, CasterKey, Change, DepthFormat, DepthLayer, Fit, MAX_LIGHTS, MAX_SPLITS, MapsKey,
+    ReceiverKey, Scheme, Select, Settings, Shade, Storage, Warp,
 };
 pub use space::LightSpace;
 pub use split::split_distances;

@@ -239,7 +239,7 @@ pub(super) const BLEND: Key = Key {
     label: "blend",
     help: "What share of a slice's depth is cross-faded into the next one; the last one fades to lit. \
            By map, what share of the map's half width. Where views fade, two maps are read.",
-    costs: &[Cost::Plan, Cost::Shader],
+    costs: &[Cost::Plan, Cost::Frame, Cost::Shader],
     values: Values::number(0.0, 1.0, [0.0, 1.0]),
     ..BASE
 };
