@@ -88,7 +88,7 @@ impl Lookup<'_> {
         if blend == 0.0 {
             return own;
         }
-        let is_cube = matches!(self.plan.lights()[view.light].kind, LightKind::Point { .. });
+        let is_cube = matches!(self.plan.lights()[view.light].kind(), LightKind::Point { .. });
         let share = match self.settings.select {
             Select::Depth | Select::ClipDepth => {
                 (view.depths.end - receiver.depth) / ((view.depths.end - view.depths.start) * blend)

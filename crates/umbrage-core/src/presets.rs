@@ -33,7 +33,7 @@ impl Preset {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Filter, Footprint, MapLayout, Pcss, Settings};
+    use crate::{Allocation, Filter, Footprint, Pcss, Settings};
 
     #[test]
     fn every_preset_is_valid_and_its_name_says_its_maps() {
@@ -85,7 +85,7 @@ mod tests {
                 Some((_, "64mib")) => 64,
                 _ => 16,
             };
-            let bytes = MapLayout::of_sun(&(preset.settings)()).bytes();
+            let bytes = Allocation::of_sun(&(preset.settings)()).layout().bytes();
             assert!(bytes <= mib << 20 && bytes > mib << 19, "{}: {bytes} bytes", preset.name);
         }
     }
@@ -101,7 +101,7 @@ mod tests {
             ("mjp", 64, 250.0),
         ] {
             let settings = Preset::named(name).map(|preset| (preset.settings)()).expect("a preset");
-            assert_eq!(MapLayout::of_sun(&settings).bytes(), mib << 20, "{name}");
+            assert_eq!(Allocation::of_sun(&settings).layout().bytes(), mib << 20, "{name}");
             assert_eq!(settings.distance.unwrap_or(f32::INFINITY), reach, "{name}");
         }
     }

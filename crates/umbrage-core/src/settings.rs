@@ -1,7 +1,6 @@
 //! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
 
 pub(crate) mod bias;
-mod change;
 mod limits;
 pub(crate) mod maps;
 pub(crate) mod shade;
@@ -10,11 +9,12 @@ pub(crate) mod splits;
 use crate::contact::Contact;
 use crate::error::SettingsError;
 use crate::filter::Filter;
+use crate::fit::Fit;
+use crate::warp::Warp;
 
 pub use bias::{Bias, CasterFaces, DepthLayer};
-pub use change::{CasterKey, Change, MapsKey, ReceiverKey};
 pub use limits::{MAX_LIGHTS, MAX_SPLITS};
-pub use maps::{DepthFormat, Fit, Select, Storage, Warp};
+pub use maps::{DepthFormat, Select, Storage};
 pub use shade::Shade;
 pub use splits::Scheme;
 

@@ -4,15 +4,15 @@
 //! The last column is exact.
 
 use anyhow::Context as _;
-use image::{DynamicImage, GrayImage, RgbaImage};
-use umbrage::{LightKind, MapTexels, Preset, ShadowPlan};
+use image::RgbaImage;
+use umbrage::{LightKind, Preset, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
-use umbrage_render::{Frame, Gpu, Mark, Picture, Show};
+use umbrage_render::{Drawn, Frame, Gpu, Mark, Picture, Renderer, Show};
 use umbrage_scene::Scene;
 
 use crate::args::DemoArgs;
 use crate::commands::plan::splits_text;
-use crate::commands::render::grey_map;
+use crate::commands::render::GREY_MAP;
 use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
 use crate::{commands::view, output, progress, world};
@@ -68,6 +68,9 @@ struct Column {
 
 pub fn run(args: &DemoArgs) -> Outcome {
     let scene = world::load(&args.world, 0)?;
+    if args.window_only {
+        return view::of_demo(args, scene);
+    }
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let shot = main_shot(&scene)?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
@@ -96,9 +99,9 @@ pub fn run(args: &DemoArgs) -> Outcome {
     }
     output::print(&text)?;
     eprintln!("picture: {}", args.output.display());
-    if !args.no_window && umbrage_viewer::native::has_display() {
+    if !args.no_window && view::is_possible() {
         // The picture is there, whatever becomes of the window.
-        if let Err(failure) = view::after_demo(args, scene) {
+        if let Err(failure) = view::of_demo(args, scene) {
             eprintln!("no window: {failure}");
         }
     }
@@ -109,7 +112,7 @@ pub fn run(args: &DemoArgs) -> Outcome {
 fn main_shot(scene: &Scene) -> Outcome<Shot> {
     let camera = scene.cameras.first().context("this world has no camera")?.clone();
     if scene.lights.is_empty() {
-        return Err(Failure::words("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
+        return Err(Failure::usage("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
     }
     Ok(Shot { camera, lights: scene.lights.clone(), seconds: 0.0, width: WIDTH, height: HEIGHT })
 }
@@ -125,11 +128,10 @@ fn column(
     let judged = laboratory.judge(shot, &settings, None, TruthKind::Hard, RUNS)?;
     let renderer = laboratory.renderer();
     let smooth = |show| Ok::<_, anyhow::Error>(Frame { samples: 4, ..shot.frame(show)? });
-    renderer.render(&smooth(Show::World)?)?;
-    let shadowed = image_of(renderer.picture()?)?;
-    let maps = renderer.maps().ok().map(|maps| thumbnails(&maps, &judged.plan)).unwrap_or_default();
-    renderer.render(&smooth(Show::Marked(Mark::Splits))?)?;
-    let tinted = image_of(renderer.picture()?)?;
+    let drawn = renderer.render(&smooth(Show::World)?)?.drawn;
+    let shadowed = image_of(drawn.picture()?)?;
+    let maps = thumbnails(renderer, &drawn);
+    let tinted = image_of(renderer.show(&drawn, &Show::Marked(Mark::Splits))?.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
     let Judged { heat_map, true_picture, plan: judged_plan, .. } = judged;
     let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);
@@ -142,7 +144,7 @@ fn column(
 }
 
 fn main_rays(plan: &ShadowPlan) -> Option<LightKind> {
-    plan.lights().first().map(|light| light.kind)
+    plan.lights().first().map(|light| light.kind())
 }
 
 fn views_text(plan: &ShadowPlan) -> String {
@@ -189,12 +191,12 @@ fn image_of(picture: Picture) -> anyhow::Result<RgbaImage> {
         .context("a picture has four bytes a pixel")
 }
 
-fn thumbnails(maps: &MapTexels, plan: &ShadowPlan) -> Vec<RgbaImage> {
-    let views = plan.views().iter().take(MOST_VIEWS);
-    views
-        .filter_map(|view| GrayImage::from_raw(view.tile.size, view.tile.size, grey_map(maps, view)))
-        .map(|grey| DynamicImage::ImageLuma8(grey).into_rgba8())
-        .collect()
+/// The first maps; none where the adapter cannot read them (GL).
+fn thumbnails(renderer: &mut Renderer, drawn: &Drawn) -> Vec<RgbaImage> {
+    let views = drawn.plan().views().iter().take(MOST_VIEWS);
+    let painted =
+        views.map_while(|view| renderer.read_map_picture(drawn, view.index, GREY_MAP, view.tile.size).ok());
+    painted.filter_map(|map| image_of(map).ok()).collect()
 }
 
 fn compose(heading: &str, columns: &[Column]) -> anyhow::Result<RgbaImage> {

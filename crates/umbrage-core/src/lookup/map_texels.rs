@@ -1,6 +1,6 @@
 //! Shadow maps on the CPU.
 
-use crate::view::{MapLayout, Tile};
+use crate::allocation::{MapLayout, Tile};
 
 /// The texels of all shadow maps: depths from 0 near the light to 1.
 #[derive(Clone, Debug, PartialEq)]

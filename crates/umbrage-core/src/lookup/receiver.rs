@@ -47,7 +47,7 @@ impl<'a> Receiver<'a> {
 
     /// The view that serves it.
     pub fn view(&self) -> Option<&'a ShadowView> {
-        if let LightKind::Point { position, .. } = self.plan.lights()[self.light].kind {
+        if let LightKind::Point { position, .. } = self.plan.lights()[self.light].kind() {
             return self.views().nth(face(self.position - position));
         }
         let ends = || self.views().take(self.views().count().saturating_sub(1)).map(|view| view.depths.end);

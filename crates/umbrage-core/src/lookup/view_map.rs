@@ -7,6 +7,7 @@ use super::place::Query;
 use super::reader::Map;
 use crate::filter::LightSize;
 use crate::plan::ShadowPlan;
+use crate::space::Rays;
 use crate::view::ShadowView;
 
 /// How large the picture is that a camera fills until a renderer says otherwise, pixels. Footprints on the CPU are those of
@@ -41,10 +42,11 @@ impl Map for ViewMap<'_> {
         let view = self.view;
         let size = self.plan.lights()[view.light].half_size(light);
         let way = (receiver - blocker).max(0.0) * view.depth_metres;
-        if view.spreads {
-            size * way / (view.near_metres + blocker * view.depth_metres).max(f32::MIN_POSITIVE)
-        } else {
-            size * way
+        match view.rays {
+            Rays::Parallel => size * way,
+            Rays::FromApex => {
+                size * way / (view.near_metres + blocker * view.depth_metres).max(f32::MIN_POSITIVE)
+            }
         }
     }
 

@@ -7,7 +7,9 @@
 
 use super::preset::Preset;
 use crate::filter::{Disc, Filter};
-use crate::settings::{Bias, CasterFaces, DepthFormat, Fit, Scheme, Select, Settings, Storage, Warp};
+use crate::fit::Fit;
+use crate::settings::{Bias, CasterFaces, DepthFormat, Scheme, Select, Settings, Storage};
+use crate::warp::Warp;
 
 /// The presets that come from others.
 pub(super) const PUBLISHED: [Preset; 17] = [

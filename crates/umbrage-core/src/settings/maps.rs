@@ -1,9 +1,11 @@
 //! What are the maps, what do they cover, and which of them serves a receiver?
 
+use crate::fit::FITS;
 use crate::schema::cost::Cost;
 use crate::schema::group::Group;
 use crate::schema::key::Key;
 use crate::schema::values::{Choice, Values};
+use crate::warp::WARPS;
 
 /// The format of a texel of a shadow map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,8 +29,8 @@ impl DepthFormat {
     /// How much a stored depth may differ from the one that was drawn, of a range from 0 to 1. Lookups stand off by it.
     pub fn step(self) -> f32 {
         match self {
-            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; a
-            // lamp's depth is steep far away, and there it counts.
+            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; the
+            // depth of a punctual light is steep far away, and there it counts.
             Self::F32 => f32::EPSILON,
             Self::U16 => 1.0 / 65535.0,
         }
@@ -43,33 +45,6 @@ pub enum Storage {
     Array,
     /// All tiles side by side in one layer.
     Atlas,
-}
-
-/// What a view's box is fitted to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Fit {
-    /// The part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2).
-    Scene,
-    /// The whole slice ("scene-independent").
-    View,
-    /// A sphere around the slice, moved by whole texels; for a spot, its whole cone: edges hold still under any camera
-    /// motion.
-    Stable,
-}
-
-/// How a map's texels are spent on what is near the eye. A warp works in every split, and for suns and spots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Warp {
-    /// Evenly.
-    None,
-    /// As the camera's own perspective does (Stamminger & Drettakis 2002).
-    Psm,
-    /// With the least largest error over the depth (Wimmer, Scherzer & Purgathofer 2004).
-    Lispsm,
-    /// With four fifths of the map for the nearest part (Martin & Tan 2004).
-    Tsm,
 }
 
 /// How a receiver finds its view.
@@ -143,27 +118,7 @@ const FIT: Key = Key {
     label: "fit",
     help: "What a view's box is fitted to. A tighter box has finer texels.",
     source: "Ferko 2010, §3.2",
-    values: Values::Choice(&[
-        Choice {
-            name: "scene",
-            label: "scene",
-            help: "The part of the slice that has something in it: the finest texels.",
-            source: "Ferko 2010, §3.2, scene-dependent",
-        },
-        Choice {
-            name: "view",
-            label: "view",
-            help: "The whole slice.",
-            source: "Ferko 2010, §3.2, scene-independent",
-        },
-        Choice {
-            name: "stable",
-            label: "stable",
-            help: "A sphere around the slice, moved by whole texels; for a spot, its whole cone. \
-                   Edges hold still while the camera moves, and texels are coarser.",
-            source: "Valient 2008",
-        },
-    ]),
+    values: Values::Choice(FITS),
     ..BASE
 };
 
@@ -181,27 +136,7 @@ const WARP: Key = Key {
     label: "warp",
     help: "How a map's texels are spent on what is near the eye. Works in every split, for suns and spots.",
     costs: &[Cost::Plan, Cost::Shader],
-    values: Values::Choice(&[
-        Choice { name: "none", label: "none", help: "Evenly.", source: "" },
-        Choice {
-            name: "psm",
-            label: "PSM",
-            help: "As the camera's own perspective does.",
-            source: "Stamminger & Drettakis 2002; Kozlov 2004",
-        },
-        Choice {
-            name: "lispsm",
-            label: "LiSPSM",
-            help: "With the least largest error over the depth.",
-            source: "Wimmer, Scherzer & Purgathofer 2004",
-        },
-        Choice {
-            name: "tsm",
-            label: "TSM",
-            help: "Four fifths of the map for the nearest part.",
-            source: "Martin & Tan 2004",
-        },
-    ]),
+    values: Values::Choice(WARPS),
     ..BASE
 };
 
