@@ -8,8 +8,8 @@
 
 use glam::{DVec2, DVec3, Mat4, Vec3};
 use umbrage::{Bias, Filter, Fit, Lookup, Settings, ShadowPlan};
-use umbrage_judge::temporal::{Anchor, Flicker, Seen};
-use umbrage_judge::{Claim, Edges, Error, Eye, Light, Truth, World};
+use umbrage_judge::temporal::{Anchor, AnchorResult, Flicker};
+use umbrage_judge::{Edges, Error, Eye, Light, ShadowResult, Truth, World};
 use umbrage_lab::{Laboratory, Motion, Shot, Watch};
 use umbrage_render::{Drawn, Frame, Gpu, Renderer, Show};
 use umbrage_scene::{Camera, Instance, Lens, Light as Lamp, Material, Mesh, Primitive, Scene, worlds};
@@ -127,8 +127,8 @@ fn judged(world: &World, camera: &Camera, drawn: &Drawn, texel: f32) -> (Truth, 
     let visibility = drawn.picture().expect("a picture").visibility();
     let truth = Truth::new(world, &Eye::new(camera, PIXELS, PIXELS), &Light::sun(Vec3::NEG_Y), 100.0);
     let edges = Edges::new(&truth);
-    let claim = Claim { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
-    let error = Error::new(world, &truth, &edges, None, &claim).expect("all is judged");
+    let result = ShadowResult { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
+    let error = Error::new(world, &truth, &edges, None, &result).expect("all is judged");
     (truth, edges, error)
 }
 
@@ -159,13 +159,13 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
         // Any two steps of this sequence are as good as independent.
         let phases = (0..640)
             .map(|i| DVec2::new(share(i * i, 0.618_033_988_749_895), share(i * i, 0.414_213_562_373_095)));
-        let claim: Vec<Vec<Seen>> = phases
+        let result: Vec<Vec<AnchorResult>> = phases
             .map(|phase| {
                 let camera = camera(phase * f64::from(8.0 * texel));
                 let drawn = renderer.render(&frame(&camera, 1)).expect("a frame").drawn;
                 let maps = renderer.maps(&drawn).expect("maps");
                 let lookup = Lookup { plan: drawn.plan(), settings: &settings, maps: &maps };
-                let ask = |a: &Anchor| Seen {
+                let ask = |a: &Anchor| AnchorResult {
                     visibility: lookup.visibility(0, a.position.as_vec3(), a.normal.as_vec3()),
                     map: 0,
                 };
@@ -174,7 +174,7 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
             .collect();
         let world = World::new(&scene, 0.0);
         let truth = umbrage_judge::temporal::visibility(&world, &Light::sun(Vec3::NEG_Y), &anchors);
-        let flicker = Flicker::new(&claim, &vec![truth; claim.len()]);
+        let flicker = Flicker::new(&result, &vec![truth; result.len()]);
         let ratio = flicker.flip_rate * band / f64::from(texel) / law;
         println!("edge at {diagonal}°: {ratio:.4} of the law's flips");
         assert!((ratio - 1.0).abs() < 0.05, "{diagonal}°: {ratio} of the law's flips");

@@ -12,6 +12,7 @@
 mod actors;
 mod bounds;
 mod camera;
+mod dice;
 mod error;
 mod export;
 mod extras;
@@ -20,6 +21,7 @@ mod light;
 mod material;
 mod mesh;
 mod motion;
+mod paint;
 mod plate;
 mod scene;
 mod shape;
