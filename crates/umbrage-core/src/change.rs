@@ -67,11 +67,26 @@ pub struct ReceiverKey {
 /// What the planner asks of settings.
 #[derive(Debug, PartialEq)]
 struct PlanKey<'a> {
-    cuts: (u32, u32, Scheme, f32, f32, &'a [f32], Option<f32>, Option<f32>),
-    maps: (u32, DepthFormat, Storage, Fit, Warp, Select, f32, bool),
+    splits: u32,
+    spot_splits: u32,
+    scheme: Scheme,
+    lambda: f32,
+    split_bias: f32,
+    manual: &'a [f32],
+    distance: Option<f32>,
+    near: Option<f32>,
+    resolution: u32,
+    depth: DepthFormat,
+    storage: Storage,
+    fit: Fit,
+    flattens: bool,
+    warp: Warp,
+    select: Select,
+    blend: f32,
     /// How far lookups reach: of the filter, of the receiver's plane, of the offset along the normal.
     reach_texels: [f32; 3],
-    bias: (f32, f32, f32, f32, bool),
+    bias: [f32; 4],
+    receiver_plane: bool,
 }
 
 /// What is uploaded with each frame.
@@ -201,10 +216,25 @@ impl Settings {
         let offset_reach = filter.offset_reach_texels(f32::MIN_POSITIVE);
         Keys {
             plan: PlanKey {
-                cuts: (splits, spot_splits, scheme, lambda, split_bias, manual, distance, near),
-                maps: (resolution, depth, storage, fit, warp, select, blend, flattens),
+                splits,
+                spot_splits,
+                scheme,
+                lambda,
+                split_bias,
+                manual,
+                distance,
+                near,
+                resolution,
+                depth,
+                storage,
+                fit,
+                flattens,
+                warp,
+                select,
+                blend,
                 reach_texels: [filter.reach_texels(), filter.plane_reach_texels(), offset_reach],
-                bias: (constant, slope, slope_limit, normal, receiver_plane),
+                bias: [constant, slope, slope_limit, normal],
+                receiver_plane,
             },
             frame: FrameKey {
                 bias: [constant, slope, slope_limit, normal, terminator, depth_layer_limit],
