@@ -39,7 +39,7 @@ pub struct BiasMetres {
 }
 
 /// What each texel around a receiver is compared with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CompareDepth {
     /// The depth that the receiver's own plane has at the texel's centre.
     Plane,

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::Vec2;
-use umbrage::{Camera, MapTexels, Settings, ShadowPlan, Shadows};
+use umbrage::{Camera, Changed, MapTexels, Settings, ShadowPlan, Shadows};
 use umbrage_scene::{Instance, Scene};
 use web_time::{Duration, Instant};
 
@@ -123,18 +123,25 @@ impl Renderer {
     /// # Errors
     /// As [`Self::new`]; then the settings stay as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
-        let shadows = self.gpu.allocate("the shadow maps", || Shadows::new(&self.gpu.device, settings))?;
-        self.use_shadows(shadows);
+        let mut shadows = self.shadows.clone();
+        let set = || shadows.set_settings(&self.gpu.device, settings);
+        let changed = self.gpu.allocate("the shadow maps", set)?;
+        self.use_shadows(shadows, changed);
         Ok(())
     }
 
-    fn use_shadows(&mut self, shadows: Shadows) {
-        self.casters = CasterPipelines::new(&self.gpu, &self.buffers, &shadows);
-        self.shadows = shadows;
-        self.shadings = [None, None];
-        self.asking = None;
+    fn use_shadows(&mut self, shadows: Shadows, changed: Changed) {
+        let Changed { maps: _, casters, receivers, objects: _ } = changed;
+        if casters {
+            self.casters = CasterPipelines::new(&self.gpu, &self.buffers, &shadows);
+        }
+        if receivers {
+            self.shadings = [None, None];
+            self.asking = None;
+        }
         self.views.clear();
         self.seen_from = None;
+        self.shadows = shadows;
     }
 
     /// The shadows' side of it: settings in force, sizes, bytes.
@@ -203,12 +210,12 @@ impl Renderer {
         let plan = self.shadows.plan(planned_for, &frame.shadowed(), &self.parts.bounds())?;
         let lists = self.draw_lists(&plan, &frame.camera);
         self.shadows.set_picture_size(frame.width, frame.height);
-        self.shadows.upload(&self.gpu.queue, &plan);
+        self.shadows.upload(&self.gpu.queue, &plan)?;
         let numbers = bytemuck::cast_slice(&lists.instances);
         let numbers = filled(&self.gpu, "instance numbers", numbers, wgpu::BufferUsages::VERTEX)?;
         let planned = start.elapsed();
 
-        self.draw_casters(&plan, &lists, &numbers);
+        self.draw_casters(&plan, &lists, &numbers)?;
         self.seen_from = Some(SeenFrom {
             clip_from_world: frame.camera.clip_from_world(),
             size: Vec2::new(frame.width as f32, frame.height as f32),
@@ -277,10 +284,11 @@ impl Renderer {
     fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
         let lights = frame.shadowed();
         // Not only enough room: what a frame's maps cost should not depend on the frames before.
-        if !lights.is_empty() && !self.shadows.is_as_large_as(&lights)? {
-            let settings = self.shadows.settings().clone();
-            let make = || Shadows::for_lights(&self.gpu.device, settings, &lights);
-            self.use_shadows(self.gpu.allocate("the shadow maps", make)?);
+        if !lights.is_empty() && !self.shadows.is_allocated_for(&lights)? {
+            let mut shadows = self.shadows.clone();
+            let make = || shadows.allocate(&self.gpu.device, &lights);
+            let changed = self.gpu.allocate("the shadow maps", make)?;
+            self.use_shadows(shadows, changed);
         }
         let (encoding, samples) = match frame.show {
             Show::Visibility(_) | Show::Nothing => (Encoding::Linear, 1),
@@ -316,29 +324,43 @@ impl Renderer {
         lists
     }
 
-    fn draw_casters(&mut self, plan: &ShadowPlan, lists: &DrawLists, numbers: &wgpu::Buffer) {
+    fn draw_casters(
+        &mut self,
+        plan: &ShadowPlan,
+        lists: &DrawLists,
+        numbers: &wgpu::Buffer,
+    ) -> Result<(), RenderError> {
         let mut encoder = self.encoder();
-        for (view, draws) in plan.views().iter().zip(&lists.views) {
+        let pipelines = [Some(&self.casters.by_mirroring), self.casters.second_by_mirroring.as_ref()];
+        for (second, pipelines) in pipelines.into_iter().enumerate() {
+            let Some(pipelines) = pipelines.filter(|_| !plan.views().is_empty()) else { continue };
+            let mut result = Ok(());
             self.timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
-                let mut pass = self.shadows.begin_timed(encoder, view, timestamps);
-                self.record_casters(&mut pass, &self.casters.by_mirroring, draws, numbers);
-            });
-            if let Some(pipelines) = &self.casters.second_by_mirroring {
-                self.timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
-                    if let Some(mut pass) = self.shadows.begin_second(encoder, view, timestamps) {
-                        self.record_casters(&mut pass, pipelines, draws, numbers);
+                let casting = match second {
+                    0 => self.shadows.cast_timed(encoder, plan, timestamps).map(Some),
+                    _ => self.shadows.cast_second(encoder, plan, timestamps),
+                };
+                result = casting.map(|casting| {
+                    let Some(mut casting) = casting else { return };
+                    let mut draws = lists.views.iter();
+                    while let Some(((pass, _), draws)) = casting.next_view().zip(draws.next()) {
+                        self.record_casters(pass, pipelines, draws, numbers);
                     }
                 });
-            }
+            });
+            result?;
         }
         if self.shadows.has_filter_pass() {
+            let mut result = Ok(());
             self.timer.compute_pass(FILTER, &mut encoder, |encoder, timestamps| {
-                self.shadows.finish_timed(encoder, plan, timestamps);
+                result = self.shadows.finish_timed(encoder, plan, timestamps);
             });
+            result?;
         } else {
-            self.shadows.finish(&mut encoder, plan);
+            self.shadows.finish(&mut encoder, plan)?;
         }
         self.gpu.queue.submit([encoder.finish()]);
+        Ok(())
     }
 
     fn record_casters(

@@ -1,5 +1,7 @@
 //! What this adapter allows, in one place.
 
+use umbrage_wgsl::TextureSupport;
+
 /// What differs between adapters, as far as shadows care.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capabilities {
@@ -33,6 +35,12 @@ impl Capabilities {
         writes_two_float16: true,
         least_layers: 1,
     };
+
+    /// What shader texts and formats depend on.
+    pub fn textures(self) -> TextureSupport {
+        let Self { filters_float32, has_unorm16, writes_two_float16, .. } = self;
+        TextureSupport { filters_float32, has_unorm16, writes_two_float16 }
+    }
 
     /// What a device can do, from the features it was made with.
     pub fn of(device: &wgpu::Device) -> Self {

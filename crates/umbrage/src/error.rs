@@ -1,6 +1,8 @@
 //! What can go wrong between settings and an adapter.
 
-use umbrage_core::SettingsError;
+use std::sync::Arc;
+
+use umbrage_core::{MapLayout, SettingsError, Tile};
 
 /// Why there are no shadows.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -25,8 +27,8 @@ pub enum ShadowError {
         /// The adapter's most layers.
         most_layers: u32,
     },
-    /// A setting needs what this adapter has not.
-    #[error("{what} needs {missing}, which this adapter has not; {remedy}")]
+    /// The adapter does not support what a setting asks for.
+    #[error("{what} needs {missing}, which this adapter does not support; {remedy}")]
     Unsupported {
         /// The setting.
         what: &'static str,
@@ -53,7 +55,39 @@ pub enum ShadowError {
         /// How many there may be.
         most: u64,
     },
+    /// A view does not belong to these maps: its plan was made for others.
+    #[error(
+        "view {index} with a tile of {} texels at {}, {} in layer {} does not belong to these shadows, which have {most} views in maps of {} x {} texels in {} layers; upload and draw a plan that they made themselves",
+        tile.size, tile.x, tile.y, tile.layer, layout.width, layout.height, layout.layers
+    )]
+    View {
+        /// The view's place in its plan.
+        index: usize,
+        /// How many views these shadows have room for.
+        most: u32,
+        /// Where the view's tile lies.
+        tile: Tile,
+        /// How these maps lie.
+        layout: MapLayout,
+    },
     /// The maps could not be read back.
-    #[error("the shadow maps could not be read back: {0}")]
-    ReadBack(String),
+    #[error("the shadow maps could not be read back")]
+    ReadBack(#[source] DeviceError),
+}
+
+/// What the device says of its failure.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct DeviceError(#[source] Arc<dyn std::error::Error + Send + Sync>);
+
+impl DeviceError {
+    pub(crate) fn new(error: impl std::error::Error + Send + Sync + 'static) -> Self {
+        Self(Arc::new(error))
+    }
+}
+
+impl PartialEq for DeviceError {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }

@@ -138,9 +138,10 @@ pub fn draw_lit(
     world: &[[Vec3; 3]],
     bounds: &Bounds,
 ) -> Drawn {
-    let mut shadows = Shadows::for_lights(&device, settings, lights).expect("valid settings");
+    let mut shadows = Shadows::new(&device, settings).expect("valid settings");
+    shadows.allocate(&device, lights).expect("room for the lights");
     let plan = shadows.plan(camera, lights, bounds).expect("a plan");
-    shadows.upload(&queue, &plan);
+    shadows.upload(&queue, &plan).expect("its own plan");
     let source = caster_wgsl()
         + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -164,18 +165,19 @@ pub fn draw_lit(
     let vertices = buffer(&device, &queue, bytemuck::cast_slice(world), wgpu::BufferUsages::VERTEX);
     let mut encoder = device.create_command_encoder(&Default::default());
     for view in plan.views() {
-        let mut pass = shadows.begin(&mut encoder, view);
+        let mut pass = shadows.begin(&mut encoder, view, None).expect("its own view");
         pass.set_pipeline(&pipeline);
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.draw(0..world.len() as u32 * 3, 0..1);
         drop(pass);
-        if let (Some(peel), Some(mut pass)) = (&peel, shadows.begin_second(&mut encoder, view, None)) {
+        let second = shadows.begin_second(&mut encoder, view, None).expect("its own view");
+        if let (Some(peel), Some(mut pass)) = (&peel, second) {
             pass.set_pipeline(peel);
             pass.set_vertex_buffer(0, vertices.slice(..));
             pass.draw(0..world.len() as u32 * 3, 0..1);
         }
     }
-    shadows.finish(&mut encoder, &plan);
+    shadows.finish(&mut encoder, &plan).expect("its own plan");
     queue.submit([encoder.finish()]);
     Drawn { device, queue, shadows, plan }
 }

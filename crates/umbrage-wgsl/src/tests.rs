@@ -1,0 +1,5 @@
+//! Every text is valid, and says what the data beside it says.
+
+mod combinations;
+mod layout;
+mod modules;
