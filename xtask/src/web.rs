@@ -7,7 +7,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context as _, early_out, ensure};
+use anyhow::{Context as _, bail, ensure};
 use flate2::{Compression, write::GzEncoder};
 use wasm_bindgen_cli_support::Bindgen;
 
@@ -80,9 +80,9 @@ fn toolchain() -> anyhow::Result<Command> {
         Path::new(sysroot.trim()).join("lib/rustlib/src/rust/library/std").is_dir()
     });
     if !source || !debian.iter().all(|path| path.exists()) {
-        early_out!(
-            "no Rust for {TARGET} is installed: `rustup target add {TARGET}`, or on Debian \
-             `apt install rustc-web cargo-web rust-web-src lld-19`"
+        bail!(
+            "no Rust for {TARGET} is installed: `scripts/setup --web` installs it (`rustup target add {TARGET}`, or \
+             Debian's rustc-web, cargo-web, rust-web-src and lld-19)"
         );
     }
     let mut cargo = Command::new(debian[1]);

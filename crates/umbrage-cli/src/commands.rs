@@ -8,6 +8,10 @@ mod plan;
 mod presets;
 mod render;
 mod report;
+#[cfg(feature = "window")]
+mod view;
+#[cfg(not(feature = "window"))]
+#[path = "commands/no_view.rs"]
 mod view;
 mod worlds;
 

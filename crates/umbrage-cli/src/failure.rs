@@ -1,4 +1,4 @@
-//! Why a command failed, and whose fault it is: the words' or the work's.
+//! Why a command failed: the command line was wrong, or the work could not be done.
 
 use std::fmt;
 use std::process::ExitCode;
@@ -9,8 +9,8 @@ use umbrage_render::RenderError;
 /// A failed command.
 #[derive(Debug)]
 pub enum Failure {
-    /// The command line asks for something that does not exist, or is out of range. Exit status 2.
-    Words(anyhow::Error),
+    /// A usage error: the command line asks for something that does not exist, or is out of range. Exit status 2.
+    Usage(anyhow::Error),
     /// What was asked for could not be done. Exit status 1.
     Work(anyhow::Error),
 }
@@ -19,15 +19,15 @@ pub enum Failure {
 pub type Outcome<T = ()> = Result<T, Failure>;
 
 impl Failure {
-    /// The words are wrong.
-    pub fn words(message: impl fmt::Display + fmt::Debug + Send + Sync + 'static) -> Self {
-        Self::Words(anyhow::Error::msg(message))
+    /// A usage error with this message.
+    pub fn usage(message: impl fmt::Display + fmt::Debug + Send + Sync + 'static) -> Self {
+        Self::Usage(anyhow::Error::msg(message))
     }
 
     /// The status that scripts see.
     pub fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Words(_) => ExitCode::from(2),
+            Self::Usage(_) => ExitCode::from(2),
             // A frame that cannot be planned was asked for by flags that passed one by one.
             Self::Work(error) if is_of_plan(error) => ExitCode::from(2),
             Self::Work(_) => ExitCode::from(1),
@@ -48,7 +48,7 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::Words(error) | Self::Work(error)) = self;
+        let (Self::Usage(error) | Self::Work(error)) = self;
         // One line, causes included.
         write!(f, "{}", format!("{error:#}").replace(['\n', '\r'], " "))
     }

@@ -1,7 +1,7 @@
 //! The command `umbrage`: draw, plan, compare and time the shadows of large worlds.
 //!
 //! Thin: one file a subcommand, in `commands/`; what they share is in `args`, `settings`, `world` and `output`. Results
-//! go to stdout or to `-o`, everything else to stderr. Exit status 0, 1 (the work failed) or 2 (the words are wrong).
+//! go to stdout or to `-o`, everything else to stderr. Exit status 0, 1 (the work failed) or 2 (a usage error).
 //!
 //! This crate does not: know how shadows are made. It parses, calls, and prints.
 

@@ -12,15 +12,15 @@ use crate::failure::{Failure, Outcome};
 
 /// The settings that the command line asks for, checked.
 pub fn resolve(args: &ShadowArgs) -> Outcome<Settings> {
-    let mut table = settings::preset(&args.preset).map_err(Failure::words)?;
+    let mut table = settings::preset(&args.preset).map_err(Failure::usage)?;
     if let Some(path) = &args.shadows {
         settings::overlay(&mut table, from_file(path)?);
     }
     for words in &args.set {
-        let set = settings::from_words(words).map_err(|why| Failure::words(format!("--set {why}")))?;
+        let set = settings::from_words(words).map_err(|why| Failure::usage(format!("--set {why}")))?;
         settings::overlay(&mut table, set);
     }
-    settings::checked(table).map_err(Failure::words)
+    settings::checked(table).map_err(Failure::usage)
 }
 
 /// The table `[shadows]` of a file.
@@ -28,10 +28,10 @@ fn from_file(path: &Path) -> Outcome<Table> {
     let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
     let file: Table = text
         .parse()
-        .map_err(|e: toml::de::Error| Failure::words(format!("{}, in {}", e.message(), path.display())))?;
+        .map_err(|e: toml::de::Error| Failure::usage(format!("{}, in {}", e.message(), path.display())))?;
     match file.get("shadows") {
         Some(Value::Table(shadows)) => Ok(shadows.clone()),
-        _ => Err(Failure::words(format!("there is no table [shadows] in {}", path.display()))),
+        _ => Err(Failure::usage(format!("there is no table [shadows] in {}", path.display()))),
     }
 }
 
@@ -66,11 +66,11 @@ mod tests {
             let failure = with("default", None, &[set]).expect_err(set);
             let text = failure.to_string();
             assert!(text.contains(wanted) && !text.contains('\n'), "{set}: {text}");
-            assert!(matches!(failure, Failure::Words(_)), "{set}: {failure:?}");
+            assert!(matches!(failure, Failure::Usage(_)), "{set}: {failure:?}");
         }
         let failure = with("bevie", None, &[]).expect_err("no such preset");
         assert!(
-            matches!(failure, Failure::Words(_)) && failure.to_string().contains("ferko-sm-1024"),
+            matches!(failure, Failure::Usage(_)) && failure.to_string().contains("ferko-sm-1024"),
             "{failure}"
         );
     }

@@ -10,7 +10,7 @@ use crate::failure::{Failure, Outcome};
 /// A built-in world, or one from a file. What the file's importer warns of goes to stderr.
 pub fn load(name: &str, seed: u64) -> Outcome<Scene> {
     let imported = umbrage_lab::files::load_world(name, seed).map_err(|why| match why {
-        LabError::World { .. } => Failure::words(why),
+        LabError::World { .. } => Failure::usage(why),
         why => Failure::Work(why.into()),
     })?;
     for warning in &imported.warnings {
@@ -24,7 +24,7 @@ pub const PICTURE: (u32, u32) = (1280, 720);
 
 /// What the command line wants drawn of a scene.
 pub fn frame(args: &WorldArgs, scene: &Scene, show: Show) -> Outcome<Frame> {
-    let frame = shot(args, scene, PICTURE)?.frame(show).map_err(Failure::words)?;
+    let frame = shot(args, scene, PICTURE)?.frame(show).map_err(Failure::usage)?;
     Ok(Frame { samples: 4, ..frame })
 }
 
@@ -32,12 +32,12 @@ pub fn frame(args: &WorldArgs, scene: &Scene, show: Show) -> Outcome<Frame> {
 pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> {
     let (width, height) = args.size.unwrap_or(size);
     if !args.time.is_finite() {
-        return Err(Failure::words(format!("--time must be finite, got {} s", args.time)));
+        return Err(Failure::usage(format!("--time must be finite, got {} s", args.time)));
     }
     let (camera, lights) = (camera(args, scene)?, lights(args, scene)?);
     let shot = Shot { camera, lights, seconds: args.time, width, height };
     // Whatever cannot be drawn is refused here, before any work is done.
-    shot.frame(Show::World).map_err(Failure::words)?;
+    shot.frame(Show::World).map_err(Failure::usage)?;
     Ok(shot)
 }
 
@@ -45,7 +45,7 @@ pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> 
 fn lights(args: &WorldArgs, scene: &Scene) -> Outcome<Vec<Light>> {
     if let Some(direction) = args.sun {
         // It is refused here, by the words that were given.
-        umbrage::Light::directional(direction).map_err(Failure::words)?;
+        umbrage::Light::directional(direction).map_err(Failure::usage)?;
         return Ok(vec![Light::sun(direction, 1.0)]);
     }
     let lights: Vec<Light> = match args.light[..] {
@@ -53,9 +53,9 @@ fn lights(args: &WorldArgs, scene: &Scene) -> Outcome<Vec<Light>> {
         _ => args.light.iter().map(|wanted| choose_light(wanted, &scene.lights)).collect::<Outcome<_>>()?,
     };
     match lights.len() {
-        0 => Err(Failure::words("this world has no light; give one with --sun X,Y,Z")),
+        0 => Err(Failure::usage("this world has no light; give one with --sun X,Y,Z")),
         1..=umbrage::MAX_LIGHTS => Ok(lights),
-        many => Err(Failure::words(format!(
+        many => Err(Failure::usage(format!(
             "{many} lights are too many, at most {} shine at once; choose with --light",
             umbrage::MAX_LIGHTS
         ))),
@@ -67,7 +67,7 @@ fn choose_light(wanted: &str, lights: &[Light]) -> Outcome<Light> {
     let light = by_number.or_else(|| lights.iter().find(|light| light.name == wanted));
     light.cloned().ok_or_else(|| {
         let names = lights.iter().enumerate().map(|(i, light)| format!("{i} ({})", light.name));
-        Failure::words(format!("no light `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
+        Failure::usage(format!("no light `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
     })
 }
 
@@ -76,7 +76,7 @@ fn camera(args: &WorldArgs, scene: &Scene) -> Outcome<Camera> {
     let mut camera = chosen.clone();
     if let (Some(eye), Some(target)) = (args.place.eye, args.place.target) {
         if eye == target {
-            return Err(Failure::words(format!("--eye and --target are the same point, {eye}")));
+            return Err(Failure::usage(format!("--eye and --target are the same point, {eye}")));
         }
         let looking = Camera::looking("command line", eye, target, 1.0, chosen.near, chosen.far);
         camera = Camera { lens: chosen.lens, ..looking };
@@ -96,6 +96,6 @@ fn choose<'a>(wanted: Option<&str>, cameras: &'a [Camera]) -> Outcome<&'a Camera
     let wanted = wanted.unwrap_or("0");
     by_number(wanted).or_else(|| by_name(wanted)).ok_or_else(|| {
         let names = cameras.iter().enumerate().map(|(i, camera)| format!("{i} ({})", camera.name));
-        Failure::words(format!("no camera `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
+        Failure::usage(format!("no camera `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
     })
 }

@@ -284,7 +284,7 @@ impl Renderer {
     fn prepare(&mut self, frame: &Frame) -> Result<(), RenderError> {
         let lights = frame.shadowed();
         // Not only enough room: what a frame's maps cost should not depend on the frames before.
-        if !lights.is_empty() && !self.shadows.is_allocated_for(&lights)? {
+        if !lights.is_empty() && !self.shadows.allocation().serves(self.shadows.settings(), &lights) {
             let mut shadows = self.shadows.clone();
             let make = || shadows.allocate(&self.gpu.device, &lights);
             let changed = self.gpu.allocate("the shadow maps", make)?;

@@ -142,14 +142,12 @@ impl Viewer {
             .on_hover_text("A page that `umbrage report` has made, in the browser.")
             .clicked()
         {
-            let context = ui.ctx().clone();
-            std::thread::spawn(move || {
+            std::thread::spawn(|| {
                 let dialog = rfd::AsyncFileDialog::new().add_filter("pages", &["html"]);
-                if let Some(file) = pollster::block_on(dialog.pick_file()) {
-                    // It says nothing of relative paths, and a dialog gives none.
-                    if let Ok(url) = url::Url::from_file_path(file.path()) {
-                        context.open_url(egui::OpenUrl::new_tab(url));
-                    }
+                if let Some(file) = pollster::block_on(dialog.pick_file())
+                    && let Err(why) = open::that(file.path())
+                {
+                    eprintln!("cannot open {}: {why}", file.path().display());
                 }
             });
             ui.close();

@@ -146,7 +146,7 @@ pub(crate) const ABSENCE: u32 = 0;
 pub(crate) const COLOUR: u32 = 1;
 
 /// `UMBRAGE_LIGHT_SUN` and so on, of `shaders/light.wgsl`.
-pub(crate) fn kind_number(kind: &LightKind) -> u32 {
+pub(crate) fn kind_number(kind: LightKind) -> u32 {
     match kind {
         LightKind::Directional { .. } => 0,
         LightKind::Spot { .. } => 1,
@@ -160,13 +160,13 @@ fn sides([width, height]: [u32; 2]) -> Vec2 {
 
 fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) -> FrameLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
-    let place = match light.kind {
+    let place = match light.kind() {
         LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position,
         LightKind::Directional { direction } => -direction,
     };
     FrameLight {
         place,
-        kind: kind_number(&light.kind),
+        kind: kind_number(light.kind()),
         first_view: views.next().map_or(0, |view| view.index as u32),
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
         size: light.half_size(settings.filter.light_size().unwrap_or_default()),
@@ -184,7 +184,7 @@ fn view(plan: &ShadowPlan, view: &ShadowView) -> View {
         clip_depth_end: plan.camera().clip_depth(view.depths.end),
         depth_metres: view.depth_metres,
         near_metres: view.near_metres,
-        light_kind: plan.lights().get(view.light).map_or(0, |light| kind_number(&light.kind)),
+        light_kind: plan.lights().get(view.light).map_or(0, |light| kind_number(light.kind())),
         inverse_weight: view.inverse_weight,
     }
 }

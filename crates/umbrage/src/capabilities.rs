@@ -18,7 +18,7 @@ pub struct Capabilities {
     /// Compute shaders write textures of two 16-bit floats; otherwise of four.
     pub writes_two_float16: bool,
     /// A texture with fewer layers than this cannot be bound as an array.
-    pub(crate) least_layers: u32,
+    pub(crate) min_layers: u32,
 }
 
 /// What wgpu calls the right to use formats as the adapter has them, and not only as every adapter does.
@@ -33,7 +33,7 @@ impl Capabilities {
         filters_float32: true,
         has_unorm16: true,
         writes_two_float16: true,
-        least_layers: 1,
+        min_layers: 1,
     };
 
     /// What shader texts and formats depend on.
@@ -54,7 +54,7 @@ impl Capabilities {
             has_unorm16: features.contains(wgpu::Features::TEXTURE_FORMAT_16BIT_NORM),
             writes_two_float16: features.contains(AS_THE_ADAPTER_HAS_THEM),
             // GL knows a texture of one layer as 2-D, and refuses to bind it as an array.
-            least_layers: if is_gl { 2 } else { 1 },
+            min_layers: if is_gl { 2 } else { 1 },
         }
     }
 

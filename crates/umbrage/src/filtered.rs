@@ -26,7 +26,7 @@ pub(crate) struct Source<'a> {
     pub depths: &'a wgpu::TextureView,
     pub layout: MapLayout,
     /// A texture with fewer layers than this cannot be bound as an array.
-    pub least_layers: u32,
+    pub min_layers: u32,
 }
 
 /// What a texture of moments or sums is as large as.

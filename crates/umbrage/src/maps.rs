@@ -24,10 +24,10 @@ pub(crate) struct Maps {
 /// Whether a layout is within an adapter's limits.
 pub(crate) fn check_size(device: &wgpu::Device, layout: MapLayout) -> Result<(), ShadowError> {
     let limits = device.limits();
-    let (most, most_layers) = (limits.max_texture_dimension_2d, limits.max_texture_array_layers);
+    let (max, max_layers) = (limits.max_texture_dimension_2d, limits.max_texture_array_layers);
     let MapLayout { width, height, layers, depth: _ } = layout;
-    if width > most || height > most || layers > most_layers {
-        return Err(ShadowError::TooLarge { width, height, layers, most, most_layers });
+    if width > max || height > max || layers > max_layers {
+        return Err(ShadowError::TooLarge { width, height, layers, max, max_layers });
     }
     Ok(())
 }
@@ -59,7 +59,7 @@ impl Maps {
             size: wgpu::Extent3d {
                 width,
                 height,
-                depth_or_array_layers: layout.layers.max(capabilities.least_layers),
+                depth_or_array_layers: layout.layers.max(capabilities.min_layers),
             },
             mip_level_count: 1,
             sample_count: 1,
@@ -168,9 +168,9 @@ impl Maps {
         let [width, height] = self.size();
         let stride = (width * bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(stride) * u64::from(height) * u64::from(self.layout.layers);
-        let most = device.limits().max_buffer_size;
-        if size > most {
-            return Err(ShadowError::CopyTooLarge { bytes: size, most });
+        let max = device.limits().max_buffer_size;
+        if size > max {
+            return Err(ShadowError::CopyTooLarge { bytes: size, max });
         }
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("Maps::read"),

@@ -1,6 +1,6 @@
 //! The GPU objects behind shadows, and which of them other settings or lights need anew.
 
-use umbrage_core::{MapLayout, Settings};
+use umbrage_core::{Allocation, Settings};
 use umbrage_wgsl::{ShaderKey, caster_bindings, receiver_bindings};
 
 use crate::bindings;
@@ -17,8 +17,7 @@ use crate::receivers::{ReceiverLayout, Samplers, SamplersKind};
 pub(crate) struct Wanted<'a> {
     pub settings: &'a Settings,
     pub key: &'a ShaderKey,
-    pub layout: MapLayout,
-    pub views: u32,
+    pub allocation: &'a Allocation,
     pub capabilities: Capabilities,
 }
 
@@ -40,7 +39,8 @@ pub(crate) struct Parts {
 impl Parts {
     /// Objects for what is wanted: those of `old` where they serve it.
     pub fn new(objects: &Objects<'_>, wanted: Wanted<'_>, old: Option<&Self>) -> Self {
-        let Wanted { settings, key, layout, views, capabilities } = wanted;
+        let Wanted { settings, key, allocation, capabilities } = wanted;
+        let (layout, views) = (allocation.layout(), allocation.tiles().len() as u32);
         let caster_layout = kept(old.map(|old| &old.caster_layout), || {
             bindings::group_layout(objects, "Shadows::caster_layout", &caster_bindings())
         });
@@ -58,8 +58,8 @@ impl Parts {
         let filtered = match bound.filter(|old| old.key == *key) {
             Some(old) => old.filtered.clone(),
             None => {
-                let least_layers = capabilities.least_layers;
-                let source = Source { objects, buffers: &buffers, depths: &maps.all, layout, least_layers };
+                let min_layers = capabilities.min_layers;
+                let source = Source { objects, buffers: &buffers, depths: &maps.all, layout, min_layers };
                 let old = old.and_then(|old| old.filtered.as_ref());
                 Filtered::new(source, key, settings.filter.prefilter(), old)
             }

@@ -29,14 +29,14 @@ impl MomentMaps {
         prefilter: Prefilter,
         old: Option<&Textures>,
     ) -> Self {
-        let Source { objects, buffers, depths, layout, least_layers } = source;
+        let Source { objects, buffers, depths, layout, min_layers } = source;
         let size = [layout.width, layout.height].map(|side| side.div_ceil(prefilter.downsample));
         // No texture has a size below one texel.
         let levels = steps.levels.min(size[0].max(size[1]).max(1).ilog2() + 1);
         let extent = Extent {
             format: steps.format.format,
             size,
-            layers: layout.layers.max(least_layers),
+            layers: layout.layers.max(min_layers),
             levels,
             scratch_side: if prefilter.blur_texels > 0 { size[0].min(size[1]) } else { 1 },
         };

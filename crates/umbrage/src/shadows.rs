@@ -1,7 +1,7 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Bounds, Camera, Light, LightKind, MapLayout, PlanError, Settings, ShadowPlan, ShadowView, plan,
+    Allocation, Bounds, Camera, Light, MapLayout, PlanError, Settings, ShadowPlan, ShadowView, plan,
 };
 use umbrage_wgsl::{FrameBytes, ShaderKey, receiver};
 
@@ -14,7 +14,7 @@ use crate::frame::offset;
 use crate::maps::{MapTexels, Maps, check_size};
 use crate::objects::Objects;
 use crate::parts::{Parts, Wanted};
-use crate::supported::{check, room};
+use crate::supported::{allocation, check};
 
 /// Shadow maps for some lights, and what shaders need to draw and to read them.
 ///
@@ -26,6 +26,7 @@ pub struct Shadows {
     key: ShaderKey,
     /// For which there is room.
     lights: Vec<Light>,
+    allocation: Allocation,
     parts: Parts,
     bytes: FrameBytes,
     picture_size: [u32; 2],
@@ -40,15 +41,21 @@ impl Shadows {
         let capabilities = Capabilities::of(device);
         check(&settings, capabilities)?;
         settings.unclipped_depth &= capabilities.unclipped_depth;
-        let direction = glam::Vec3::NEG_Y;
-        let lights = vec![Light { kind: LightKind::Directional { direction }, resolution: None, size: None }];
+        let allocation = Allocation::of_sun(&settings);
+        check_size(device, allocation.layout())?;
         let key = ShaderKey::new(&settings, capabilities.textures());
-        let (layout, views) = room(&settings, &lights)?;
-        check_size(device, layout)?;
-        let wanted = Wanted { settings: &settings, key: &key, layout, views, capabilities };
+        let wanted = Wanted { settings: &settings, key: &key, allocation: &allocation, capabilities };
         let parts = Parts::new(&Objects::new(device), wanted, None);
-        let bytes = FrameBytes::default();
-        Ok(Self { settings, capabilities, key, lights, parts, bytes, picture_size: PICTURE_SIZE })
+        Ok(Self {
+            settings,
+            capabilities,
+            key,
+            lights: Vec::new(),
+            allocation,
+            parts,
+            bytes: FrameBytes::default(),
+            picture_size: PICTURE_SIZE,
+        })
     }
 
     /// Makes room for just these lights: no texel more, and none less. Where there is that room already, nothing is made, and what
@@ -58,21 +65,20 @@ impl Shadows {
     /// When there are no lights or more than [`MAX_LIGHTS`](umbrage_core::MAX_LIGHTS), a light's resolution is out of range, or the
     /// maps exceed the device's limits. Then all stays as it was.
     pub fn allocate(&mut self, device: &wgpu::Device, lights: &[Light]) -> Result<Changed, ShadowError> {
-        if self.is_allocated_for(lights)? {
+        if self.allocation.serves(&self.settings, lights) {
             self.lights.clear();
             self.lights.extend_from_slice(lights);
             return Ok(Changed::default());
         }
-        self.remake(device, self.settings.clone(), lights.to_vec())
+        let allocation = allocation(&self.settings, lights)?;
+        let changed = self.remake(device, self.settings.clone(), allocation)?;
+        self.lights = lights.to_vec();
+        Ok(changed)
     }
 
-    /// Whether there is room for just these lights, so that [`Self::allocate`] has nothing to make.
-    ///
-    /// # Errors
-    /// As [`Self::allocate`].
-    pub fn is_allocated_for(&self, lights: &[Light]) -> Result<bool, ShadowError> {
-        let (layout, views) = room(&self.settings, lights)?;
-        Ok(layout == self.parts.maps.layout && views == self.parts.buffers.views)
+    /// Which tile each view of the lights has that there is room for.
+    pub fn allocation(&self) -> &Allocation {
+        &self.allocation
     }
 
     /// Changes the settings, and remakes no more than they need: nothing where all that has changed is planned or in the frame, as
@@ -87,21 +93,23 @@ impl Shadows {
     ) -> Result<Changed, ShadowError> {
         check(&settings, self.capabilities)?;
         settings.unclipped_depth &= self.capabilities.unclipped_depth;
-        let lights = self.lights.clone();
-        self.remake(device, settings, lights)
+        let allocation = match self.lights.as_slice() {
+            [] => Allocation::of_sun(&settings),
+            lights => allocation(&settings, lights)?,
+        };
+        self.remake(device, settings, allocation)
     }
 
     fn remake(
         &mut self,
         device: &wgpu::Device,
         settings: Settings,
-        lights: Vec<Light>,
+        allocation: Allocation,
     ) -> Result<Changed, ShadowError> {
-        let (layout, views) = room(&settings, &lights)?;
-        check_size(device, layout)?;
+        check_size(device, allocation.layout())?;
         let capabilities = self.capabilities;
         let key = ShaderKey::new(&settings, capabilities.textures());
-        let wanted = Wanted { settings: &settings, key: &key, layout, views, capabilities };
+        let wanted = Wanted { settings: &settings, key: &key, allocation: &allocation, capabilities };
         let objects = Objects::new(device);
         let parts = Parts::new(&objects, wanted, Some(&self.parts));
         let changed = Changed {
@@ -110,7 +118,7 @@ impl Shadows {
             receivers: key != self.key || settings.contact != self.settings.contact,
             objects: objects.made(),
         };
-        (self.settings, self.lights, self.key, self.parts) = (settings, lights, key, parts);
+        (self.settings, self.allocation, self.key, self.parts) = (settings, allocation, key, parts);
         Ok(changed)
     }
 
@@ -135,11 +143,18 @@ impl Shadows {
         lights: &[Light],
         bounds: &Bounds,
     ) -> Result<(), PlanError> {
-        let layout = MapLayout::of_lights(&self.settings, lights)?;
-        let views = lights.iter().map(|light| light.views(&self.settings)).sum();
-        let most = self.parts.buffers.views;
-        if views > most || !self.parts.maps.layout.holds(&layout) {
-            return Err(PlanError::Room { got: views, most });
+        let has_room = |allocation: &Allocation| {
+            let (tiles, most) = (allocation.tiles().len(), self.allocation.tiles().len());
+            tiles <= most && self.allocation.layout().holds(&allocation.layout())
+        };
+        let planned = plan.allocation();
+        let has_room = match planned.serves(&self.settings, lights) {
+            true => has_room(planned),
+            false => has_room(&Allocation::new(&self.settings, lights)?),
+        };
+        if !has_room {
+            let got = lights.iter().map(|light| light.views(&self.settings)).sum();
+            return Err(PlanError::Room { got, max: self.parts.buffers.views });
         }
         plan.replan(camera, lights, bounds, &self.settings)
     }
@@ -366,14 +381,17 @@ impl Shadows {
     }
 
     fn check_view(&self, view: &ShadowView) -> Result<(), ShadowError> {
-        let (most, layout) = (self.parts.buffers.views, self.parts.maps.layout);
-        if view.index < most as usize && self.parts.maps.holds(view.tile) {
+        let (max, layout) = (self.parts.buffers.views, self.parts.maps.layout);
+        if view.index < max as usize && self.parts.maps.holds(view.tile) {
             return Ok(());
         }
-        Err(ShadowError::View { index: view.index, most, tile: view.tile, layout })
+        Err(ShadowError::View { index: view.index, max, tile: view.tile, layout })
     }
 
     fn check_plan(&self, plan: &ShadowPlan) -> Result<(), ShadowError> {
+        if *plan.settings() != self.settings {
+            return Err(ShadowError::other_settings(&self.settings, plan.settings()));
+        }
         plan.views().iter().try_for_each(|view| self.check_view(view))
     }
 }

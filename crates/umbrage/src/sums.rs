@@ -20,11 +20,11 @@ pub(crate) struct SumMaps {
 
 impl SumMaps {
     pub fn new(source: Source<'_>, steps: &SumSteps, old: Option<&Textures>) -> Self {
-        let Source { objects, buffers, depths, layout, least_layers } = source;
+        let Source { objects, buffers, depths, layout, min_layers } = source;
         let extent = Extent {
             format: steps.format,
             size: [layout.width, layout.height],
-            layers: layout.layers.max(least_layers),
+            layers: layout.layers.max(min_layers),
             levels: 1,
             scratch_side: layout.width.min(layout.height),
         };

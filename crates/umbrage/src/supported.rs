@@ -1,6 +1,6 @@
-//! Whether settings can be had, and how much room they need.
+//! Whether settings can be had, and which tiles they need.
 
-use umbrage_core::{DepthLayer, Light, MAX_LIGHTS, MapLayout, Settings};
+use umbrage_core::{Allocation, DepthLayer, Light, MAX_LIGHTS, Settings};
 
 use crate::capabilities::Capabilities;
 use crate::error::ShadowError;
@@ -22,11 +22,10 @@ pub(crate) fn check(settings: &Settings, capabilities: Capabilities) -> Result<(
     Ok(())
 }
 
-/// How the maps of such lights lie, and how many views they are.
-pub(crate) fn room(settings: &Settings, lights: &[Light]) -> Result<(MapLayout, u32), ShadowError> {
+/// Which tiles the views of such lights get.
+pub(crate) fn allocation(settings: &Settings, lights: &[Light]) -> Result<Allocation, ShadowError> {
     if !(1..=MAX_LIGHTS).contains(&lights.len()) {
-        return Err(ShadowError::Lights { got: lights.len(), most: MAX_LIGHTS });
+        return Err(ShadowError::Lights { got: lights.len(), max: MAX_LIGHTS });
     }
-    let views = lights.iter().map(|light| light.views(settings)).sum();
-    Ok((MapLayout::of_lights(settings, lights)?, views))
+    Ok(Allocation::new(settings, lights)?)
 }

@@ -68,6 +68,9 @@ struct Column {
 
 pub fn run(args: &DemoArgs) -> Outcome {
     let scene = world::load(&args.world, 0)?;
+    if args.window_only {
+        return view::of_demo(args, scene);
+    }
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let shot = main_shot(&scene)?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
@@ -96,9 +99,9 @@ pub fn run(args: &DemoArgs) -> Outcome {
     }
     output::print(&text)?;
     eprintln!("picture: {}", args.output.display());
-    if !args.no_window && umbrage_viewer::native::has_display() {
+    if !args.no_window && view::is_possible() {
         // The picture is there, whatever becomes of the window.
-        if let Err(failure) = view::after_demo(args, scene) {
+        if let Err(failure) = view::of_demo(args, scene) {
             eprintln!("no window: {failure}");
         }
     }
@@ -109,7 +112,7 @@ pub fn run(args: &DemoArgs) -> Outcome {
 fn main_shot(scene: &Scene) -> Outcome<Shot> {
     let camera = scene.cameras.first().context("this world has no camera")?.clone();
     if scene.lights.is_empty() {
-        return Err(Failure::words("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
+        return Err(Failure::usage("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
     }
     Ok(Shot { camera, lights: scene.lights.clone(), seconds: 0.0, width: WIDTH, height: HEIGHT })
 }
@@ -142,7 +145,7 @@ fn column(
 }
 
 fn main_rays(plan: &ShadowPlan) -> Option<LightKind> {
-    plan.lights().first().map(|light| light.kind)
+    plan.lights().first().map(|light| light.kind())
 }
 
 fn views_text(plan: &ShadowPlan) -> String {

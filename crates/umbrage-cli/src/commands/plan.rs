@@ -38,7 +38,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
     let frame = world::frame(&args.world, &scene, Show::World)?;
     let bounds = umbrage_render::bounds(&scene, frame.seconds);
     let lights: Vec<Light> = frame.lamps.iter().map(|lamp| lamp.light).collect();
-    let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::words)?;
+    let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::usage)?;
     match &args.json {
         Some(path) => output::write_json(path, &report(&scene.name, scene.triangles(), &settings, &plan))?,
         None => output::print(&text(&plan, settings.warp))?,

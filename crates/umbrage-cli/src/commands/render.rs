@@ -16,7 +16,7 @@ use crate::{advice, output, settings, world};
 pub fn run(args: &RenderArgs) -> Outcome {
     let pictures = [&args.output, &args.visibility, &args.maps, &args.aliasing];
     if pictures.into_iter().all(Option::is_none) {
-        return Err(Failure::words(
+        return Err(Failure::usage(
             "nothing to write: give -o FILE.png, --visibility FILE.png, --aliasing FILE.png or --maps DIR",
         ));
     }

@@ -43,7 +43,7 @@ fn read(path: &Path) -> Outcome<(Experiment, BTreeMap<String, Scene>)> {
     });
     match experiment {
         Ok(experiment) => Ok((experiment, scenes)),
-        Err(why @ LabError::Experiment { .. }) => Err(Failure::words(why)),
+        Err(why @ LabError::Experiment { .. }) => Err(Failure::usage(why)),
         Err(why) => Err(why.into()),
     }
 }

@@ -33,8 +33,13 @@ pub fn run(args: &ViewArgs) -> Outcome {
     }
 }
 
-/// The window after the picture of `umbrage demo`.
-pub fn after_demo(args: &DemoArgs, scene: Scene) -> Outcome {
+/// Whether `umbrage demo` may open a window.
+pub fn is_possible() -> bool {
+    native::has_display()
+}
+
+/// The window of `umbrage demo`.
+pub fn of_demo(args: &DemoArgs, scene: Scene) -> Outcome {
     let start = of_scene(&args.world, scene, Settings::default());
     let options = Options { adapter: args.adapter.adapter.clone(), ..Options::default() };
     native::run(start, &options).map_err(work)

@@ -17,7 +17,8 @@ fn a_receivers_text_is_imported_through_naga_oil() {
             let visibility = umbrage_visibility(position, normal, pixel.xy);
             return vec4f(umbrage_shade(vec3f(0.1), vec3f(0.9), visibility), 1.0);
         }";
-    let filters = [Settings::default().filter, Filter::Pcss(Pcss::default()), Filter::Vsm(Variance::default())];
+    let filters =
+        [Settings::default().filter, Filter::Pcss(Pcss::default()), Filter::Vsm(Variance::default())];
     for filter in filters {
         let key = ShaderKey::new(&Settings { filter, ..Settings::default() }, TextureSupport::ALL);
         let text = receiver(&key, 2);

@@ -43,7 +43,7 @@ fn kinds_of_lights_shades_and_noises_have_the_numbers_that_shaders_know_them_by(
         (Light::spot(place, Vec3::NEG_Y, 0.5, 9.0), "UMBRAGE_LIGHT_SPOT"),
         (Light::point(place, 9.0), "UMBRAGE_LIGHT_POINT"),
     ] {
-        assert_eq!(frame::kind_number(&light.unwrap().kind), constant(&map(), name), "{name}");
+        assert_eq!(frame::kind_number(light.unwrap().kind()), constant(&map(), name), "{name}");
     }
     let key = |noise| {
         let filter = Filter::Vogel(Disc { noise, ..Disc::default() });

@@ -1,0 +1,113 @@
+//! The words of the commands that measure: `measure`, `bench`, `report`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::TypedValueParser as _;
+
+use super::parse::sun_angle;
+use super::{AdapterArgs, ShadowArgs, WorldArgs};
+
+#[derive(Debug, Args)]
+pub struct MeasureArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+    /// What visibility between lit and shadowed is compared with; mis-shadowed pixels are always counted by the hard truth
+    #[arg(long, value_enum, default_value_t = TruthArg::Hard)]
+    pub truth: TruthArg,
+    /// Points of each light that soft truth is the mean of
+    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(8..=65_536))]
+    pub sun_points: u32,
+    /// The angle that the sun is seen under, for soft truth, degrees. Lamps have half of it, in radians, for a radius in metres
+    #[arg(long, value_name = "DEG", default_value_t = 0.53, value_parser = sun_angle)]
+    pub sun_angle: f64,
+    /// Measure from so many cameras, moved a little, and give the mean of each figure and its 95 % interval
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub repeats: u32,
+    /// Frames that are timed
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=100_000))]
+    pub frames: u32,
+    /// Measure also how unsteady shadows are, along a path from the camera
+    #[arg(long, value_enum)]
+    pub motion: Option<MotionArg>,
+    /// Where a picture of what is wrong goes: orange where falsely shadowed, blue where falsely lit
+    #[arg(long, value_name = "FILE.png")]
+    pub heat_map: Option<PathBuf>,
+    /// Where the picture with exact shadows goes
+    #[arg(long, value_name = "FILE.png")]
+    pub true_picture: Option<PathBuf>,
+    /// Write JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+}
+
+/// What visibility is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum TruthArg {
+    /// One ray through each pixel's centre
+    Hard,
+    /// The mean over 8 x 8 points of each pixel
+    SubPixel,
+    /// The mean over points of the light
+    Soft,
+}
+
+/// A path that flicker is measured along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum MotionArg {
+    /// Sideways, 0.05 m a frame
+    Translate,
+    /// Turning, 0.25° a frame
+    Yaw,
+    /// Forward and turning, as on foot
+    Walk,
+    /// Forward, 1 m a frame
+    Fast,
+    /// The sun moves by 0.02° a frame
+    Sun,
+    /// Things move
+    Objects,
+    /// Sideways, a sixteenth of a texel a frame
+    SubTexel,
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// The experiment
+    #[arg(value_name = "EXPERIMENT.toml")]
+    pub experiment: PathBuf,
+    /// The folder that the page goes to, and every result; results that are there are not made again
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+}
+
+#[derive(Debug, Args)]
+pub struct BenchArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
+    /// Frames that are timed, evenly spaced along the world's path
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: u32,
+    /// Frames that are drawn first and not counted
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(0..=100_000))]
+    pub warm_up: u32,
+    /// Samples a pixel, 1 or 4
+    #[arg(long, default_value_t = 1, value_parser = clap::builder::PossibleValuesParser::new(["1", "4"]).map(|s| if s == "4" { 4u32 } else { 1 }))]
+    pub samples: u32,
+    /// Draw each frame twice more: without shadows, and with every part of the world drawn into every shadow map
+    #[arg(long)]
+    pub baselines: bool,
+    /// Write JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+}

@@ -1,0 +1,53 @@
+//! Numbers of the command line.
+
+use glam::Vec3;
+
+/// Three finite numbers, as `1.5,2,-3`.
+pub fn vec3(text: &str) -> Result<Vec3, String> {
+    let numbers: Vec<f32> =
+        text.split(',').filter_map(|n| n.trim().parse().ok()).filter(|n: &f32| n.is_finite()).collect();
+    match numbers[..] {
+        [x, y, z] if text.split(',').count() == 3 => Ok(Vec3::new(x, y, z)),
+        _ => Err("wanted three numbers, as 1.5,2,-3".to_owned()),
+    }
+}
+
+/// Degrees from 0 to 90.
+pub fn sun_angle(text: &str) -> Result<f64, String> {
+    let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
+    angle.ok_or_else(|| "wanted degrees, from 0 to 90".to_owned())
+}
+
+/// Degrees from 0 to below 180.
+pub fn area_degrees(text: &str) -> Result<f32, String> {
+    let degrees = text.parse().ok().filter(|degrees| (0.0..180.0).contains(degrees));
+    degrees.ok_or_else(|| "wanted degrees, from 0 to below 180".to_owned())
+}
+
+/// Pixels, as `1280x720`.
+pub fn size(text: &str) -> Result<(u32, u32), String> {
+    let wanted = || "wanted width x height in pixels, as 1280x720".to_owned();
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wanted)?;
+    let (width, height) = (width.parse().map_err(|_| wanted())?, height.parse().map_err(|_| wanted())?);
+    if width == 0 || height == 0 {
+        return Err(format!("a picture needs at least one pixel each way, got {width} x {height}"));
+    }
+    Ok((width, height))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_and_sizes_are_read_or_refused() {
+        assert_eq!(vec3("1, -2.5,3e1"), Ok(Vec3::new(1.0, -2.5, 30.0)));
+        for wrong in ["", "1,2", "1,2,3,4", "a,b,c", "1,nan,2", "1,,2,3"] {
+            assert!(vec3(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(size("640x360"), Ok((640, 360)));
+        for wrong in ["", "640", "0x5", "5x0", "-1x5", "axb"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `worlds`, `presets`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use super::{ShadowArgs, WorldArgs};
+
+#[derive(Debug, Args)]
+pub struct PlanArgs {
+    #[command(flatten)]
+    pub world: WorldArgs,
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    /// Write JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct WorldsArgs {
+    #[command(subcommand)]
+    pub command: Option<WorldsCommand>,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum WorldsCommand {
+    /// Writes a world, built in or from a file, as a .glb
+    Export {
+        /// A built-in name, or a .glb, .gltf or .obj
+        world: String,
+        /// Where it goes
+        output: PathBuf,
+        /// What a built-in world is grown from
+        #[arg(long, default_value_t = 0)]
+        seed: u64,
+    },
+}
+
+#[derive(Debug, Args)]
+pub struct PresetsArgs {
+    /// Which one to print
+    pub name: Option<String>,
+}
