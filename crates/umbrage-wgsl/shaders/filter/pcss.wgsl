@@ -10,7 +10,8 @@ import package::sampling::noise::umbrage_noise;
 import package::sampling::penumbra::umbrage_penumbra_texels;
 import package::sampling::points_rotated::umbrage_point;
 import package::sampling::reach_fixed::umbrage_offset_reach;
-import package::storage::map::{umbrage_inside, umbrage_stored_depth};
+import package::storage::map::umbrage_inside;
+import package::storage::stored_depth::umbrage_stored_depth;
 
 /// The mean depth of what is before the receiver within a disc, and how many of the points found something.
 fn umbrage_blockers(lookup: UmbrageLookup, radius: vec2f, noise: f32) -> vec2f {

@@ -48,15 +48,14 @@ fn umbrage_address(view_index: u32, texel: vec2i) -> vec2i {
     return vec2i(umbrage_frame.views[view_index].tile_origin) + texel;
 }
 
+/// Where the texture holds the texel around a place of a tile.
+fn umbrage_address_around(view_index: u32, texel: vec2f) -> vec2i {
+    return vec2i(umbrage_frame.views[view_index].tile_origin + texel);
+}
+
 /// What share of the texels around a place of a tile leaves a receiver at `depth` lit: where `depth` is not greater than what
 /// is stored. With a linear sampler four texels count, weighted bilinearly.
 fn umbrage_lit_share(view_index: u32, texel: vec2f, depth: f32) -> f32 {
     let uv = umbrage_uv(view_index, texel, 0.5);
     return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, umbrage_layer(view_index), depth);
-}
-
-/// The depth that is stored in the texel around `centre`, which lies in the tile.
-fn umbrage_stored_depth(view_index: u32, centre: vec2f) -> f32 {
-    let address = vec2i(umbrage_frame.views[view_index].tile_origin + centre);
-    return textureLoad(umbrage_map, address, umbrage_layer(view_index), 0);
 }

@@ -97,6 +97,15 @@ fn only_the_storage_knows_where_texels_lie() {
 }
 
 #[test]
+fn what_only_compares_loads_no_depth_which_opengl_would_refuse() {
+    for filter in filters().into_iter().filter(|f| f.light_size().is_none() && f.moments(1.0).is_none()) {
+        let settings = umbrage_core::Settings { filter, ..Default::default() };
+        let text = receiver(&ShaderKey::new(&settings, TextureSupport::ALL), 0);
+        assert!(!text.contains("textureLoad"), "{filter:?}");
+    }
+}
+
+#[test]
 fn only_one_module_knows_the_kinds_of_lights() {
     for (module, source) in MODULES {
         let knows =
