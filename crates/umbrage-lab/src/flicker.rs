@@ -1,6 +1,6 @@
 //! Measures how unsteady shadows are: the visibility of fixed points of the world along a path, frame by frame.
 //!
-//! Every point asks the shadow maps themselves, through the shaders' own lookup ([`umbrage_render::Renderer::ask`]), so
+//! Every point asks the shadow maps themselves, through the shaders' own lookup ([`umbrage_render::Renderer::query`]), so
 //! that the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
 //! points that something hides are not, for the maps answer for them all the same.
 
@@ -98,13 +98,13 @@ impl Laboratory<'_> {
         eye: &Eye,
         anchors: &[Anchor],
     ) -> Result<Vec<Seen>, LabError> {
-        let plan = self.renderer().render(&shot.frame(Show::Nothing)?)?.plan;
+        let drawn = self.renderer().render(&shot.frame(Show::Nothing)?)?.drawn;
         let point =
             |anchor: &Anchor| Point { position: anchor.position.as_vec3(), normal: anchor.normal.as_vec3() };
         let points: Vec<Point> = anchors.iter().map(point).collect();
-        let answers = self.renderer().ask(0, &points)?;
+        let answers = self.renderer().query(&drawn, 0, &points)?;
         let claim = |((anchor, point), answer): ((&Anchor, &Point), f32)| {
-            let view = umbrage::view_of(&plan, settings, 0, point.position, point.normal);
+            let view = umbrage::view_of(drawn.plan(), settings, 0, point.position, point.normal);
             Seen {
                 visibility: eye.project(anchor.position).map_or(f32::NAN, |_| answer),
                 map: view.map_or(usize::MAX, |view| view.index),
@@ -115,8 +115,8 @@ impl Laboratory<'_> {
 
     /// The size of the finest view's texels, metres.
     fn finest_texel(&mut self, shot: &Shot) -> Result<f32, LabError> {
-        let plan = self.renderer().render(&shot.frame(Show::Nothing)?)?.plan;
-        Ok(plan.views().iter().map(|view| view.texel_metres).fold(f32::INFINITY, f32::min))
+        let drawn = self.renderer().render(&shot.frame(Show::Nothing)?)?.drawn;
+        Ok(drawn.plan().views().iter().map(|view| view.texel_metres).fold(f32::INFINITY, f32::min))
     }
 }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use umbrage::{Settings, ShadowPlan};
 use umbrage_judge::statistics::Spread;
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
+use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, RenderError, Rendered, Renderer, Show};
 use umbrage_scene::{Camera, Scene};
 
 use crate::aliasing::Aliasing;
@@ -118,11 +118,13 @@ impl<'a> Laboratory<'a> {
         self.use_settings(settings)?;
         let frame = shot.frame(Show::World)?;
         let visibility = self.visibility(&frame, area)?;
-        let plan = self.renderer.render(&frame)?.plan;
+        let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
+        let plan = drawn.plan().clone();
         let shaded = match area {
-            None => self.renderer.picture()?,
+            None => drawn.picture()?,
             Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
         };
+        drop(drawn);
         let times = self.times(&frame, area, frames)?;
 
         let start = web_time::Instant::now();
@@ -194,12 +196,13 @@ impl<'a> Laboratory<'a> {
     /// As [`Self::judge`], and when there is no such light.
     pub fn aliasing(&mut self, shot: &Shot, settings: &Settings, light: usize) -> Result<Aliasing, LabError> {
         self.use_settings(settings)?;
-        let plan = self.renderer.render(&shot.frame(Show::World)?)?.plan;
+        let Rendered { drawn, times: _ } = self.renderer.render(&shot.frame(Show::World)?)?;
+        let plan = drawn.plan();
         let world = self.world_at(shot.seconds);
-        let traced = self.truths.hard(shot, shadow_distance(&plan), &world);
+        let traced = self.truths.hard(shot, shadow_distance(plan), &world);
         let missing = || LabError::Missing { what: format!("light {light}"), world: self.scene.name.clone() };
         let Traced { truth, .. } = traced.get(light).ok_or_else(missing)?;
-        Ok(Aliasing::new(&plan, settings, light, truth))
+        Ok(Aliasing::new(plan, settings, light, truth))
     }
 
     /// Makes shadows as `settings` say from now on.
@@ -245,17 +248,16 @@ impl<'a> Laboratory<'a> {
     }
 
     fn picture(&mut self, frame: &Frame, show: Show) -> Result<Picture, LabError> {
-        self.renderer.render(&Frame { show, ..frame.clone() })?;
-        Ok(self.renderer.picture()?)
+        Ok(self.renderer.render(&Frame { show, ..frame.clone() })?.drawn.picture()?)
     }
 
-    /// Of each lamp, the visibility of every pixel.
+    /// Of each light, the visibility of every pixel.
     fn visibility(&mut self, frame: &Frame, area: Option<Area>) -> Result<Vec<Vec<f32>>, LabError> {
-        let of_lamp = |lamp| match area {
-            None => Ok(grey(&self.picture(frame, Show::Visibility(lamp))?)),
-            Some(area) => Ok(self.renderer.area(frame, lamp, area)?.visibility),
+        let of_light = |light| match area {
+            None => Ok(self.picture(frame, Show::Visibility(light))?.visibility()),
+            Some(area) => Ok(self.renderer.area(frame, light, area)?.visibility),
         };
-        (0..frame.lamps.len()).map(of_lamp).collect()
+        (0..frame.lights.len()).map(of_light).collect()
     }
 
     /// Times of `frames` frames, each with all samples of all lamps where those have some size.
@@ -263,8 +265,8 @@ impl<'a> Laboratory<'a> {
         let once = |_| {
             let Some(area) = area else { return Ok(self.renderer.render(frame)?.times) };
             let mut times = FrameTimes::default();
-            for lamp in 0..frame.lamps.len() {
-                times += self.renderer.area(frame, lamp, area)?.times;
+            for light in 0..frame.lights.len() {
+                times += self.renderer.area(frame, light, area)?.times;
             }
             Ok(times)
         };
@@ -279,17 +281,7 @@ impl Shot {
     /// When the camera or a light cannot be used.
     pub fn frame(&self, show: Show) -> Result<Frame, RenderError> {
         let Self { camera, lights, seconds, width, height } = self;
-        let lamps = lights.iter().map(|light| lamp(light, *seconds));
-        Ok(Frame {
-            camera: umbrage_render::camera(camera, *width as f32 / *height as f32)?,
-            planned_for: None,
-            lamps: lamps.collect::<Result<_, RenderError>>()?,
-            seconds: *seconds,
-            width: *width,
-            height: *height,
-            samples: 1,
-            show,
-        })
+        Frame::of(camera, lights, *seconds, [*width, *height], show)
     }
 }
 
@@ -322,9 +314,4 @@ fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
 #[cfg(target_arch = "wasm32")]
 fn flip(_reference: &Picture, _test: &Picture) -> Option<f64> {
     None
-}
-
-/// Visibility of every pixel, from its grey.
-fn grey(picture: &Picture) -> Vec<f32> {
-    picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect()
 }

@@ -1,47 +1,39 @@
 //! Numbers that a shader text fixes, as lines of WGSL.
 
-use glam::{Vec2, Vec4};
+use umbrage_core::{ShaderNumber, ShaderValue};
 
 /// A number, or a table of numbers, that a shader text fixes. Equal constants give equal text.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Constant {
-    /// `bool`.
+pub(crate) enum Constant {
     Bool(bool),
-    /// `i32`.
     I32(i32),
-    /// `u32`.
     U32(u32),
-    /// `f32`, as its bits.
+    /// Bits, as all that follow.
     F32(u32),
-    /// `array<f32, N>`, as their bits.
-    Floats(Vec<u32>),
-    /// `array<vec2f, N>`, as their bits.
-    Points(Vec<[u32; 2]>),
-    /// `array<vec4f, N>`, as their bits.
-    Pairs(Vec<[u32; 4]>),
+    F32s(Vec<u32>),
+    Vec2s(Vec<[u32; 2]>),
+    Vec4s(Vec<[u32; 4]>),
+}
+
+impl From<&ShaderValue> for Constant {
+    fn from(value: &ShaderValue) -> Self {
+        match value {
+            ShaderValue::Bool(value) => Self::Bool(*value),
+            ShaderValue::I32(value) => Self::I32(*value),
+            ShaderValue::U32(value) => Self::U32(*value),
+            ShaderValue::F32(value) => Self::F32(value.to_bits()),
+            ShaderValue::F32s(values) => Self::F32s(values.iter().map(|value| value.to_bits()).collect()),
+            ShaderValue::Vec2s(points) => {
+                Self::Vec2s(points.iter().map(|point| point.to_array().map(f32::to_bits)).collect())
+            }
+            ShaderValue::Vec4s(points) => {
+                Self::Vec4s(points.iter().map(|point| point.to_array().map(f32::to_bits)).collect())
+            }
+        }
+    }
 }
 
 impl Constant {
-    /// The constant of a number.
-    pub fn float(value: f32) -> Self {
-        Self::F32(value.to_bits())
-    }
-
-    /// The constant of a table of numbers.
-    pub fn floats(values: impl IntoIterator<Item = f32>) -> Self {
-        Self::Floats(values.into_iter().map(f32::to_bits).collect())
-    }
-
-    /// The constant of a table of points.
-    pub fn points(points: impl IntoIterator<Item = Vec2>) -> Self {
-        Self::Points(points.into_iter().map(|point| point.to_array().map(f32::to_bits)).collect())
-    }
-
-    /// The constant of a table of pairs of points.
-    pub fn pairs(pairs: impl IntoIterator<Item = Vec4>) -> Self {
-        Self::Pairs(pairs.into_iter().map(|pair| pair.to_array().map(f32::to_bits)).collect())
-    }
-
     /// The line that declares it.
     pub(crate) fn line(&self, name: &str) -> String {
         let (kind, value) = match self {
@@ -49,12 +41,18 @@ impl Constant {
             Self::I32(value) => ("i32".to_owned(), value.to_string()),
             Self::U32(value) => ("u32".to_owned(), format!("{value}u")),
             Self::F32(bits) => ("f32".to_owned(), number(*bits)),
-            Self::Floats(values) => array("f32", values, |bits| number(*bits)),
-            Self::Points(points) => array("vec2f", points, |point| vector("vec2f", point)),
-            Self::Pairs(pairs) => array("vec4f", pairs, |pair| vector("vec4f", pair)),
+            Self::F32s(values) => array("f32", values, |bits| number(*bits)),
+            Self::Vec2s(points) => array("vec2f", points, |point| vector("vec2f", point)),
+            Self::Vec4s(points) => array("vec4f", points, |point| vector("vec4f", point)),
         };
         format!("const {name}: {kind} = {value};")
     }
+}
+
+/// The lines that declare numbers, by their names.
+pub(crate) fn lines(numbers: &[ShaderNumber]) -> Vec<(&'static str, String)> {
+    let line = |ShaderNumber { name, value }: &ShaderNumber| (*name, Constant::from(value).line(name));
+    numbers.iter().map(line).collect()
 }
 
 fn number(bits: u32) -> String {
@@ -75,15 +73,18 @@ fn array<T>(kind: &str, values: &[T], text: impl Fn(&T) -> String) -> (String, S
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2;
+
     use super::*;
 
     #[test]
-    fn a_constant_is_a_line_of_wgsl() {
-        assert_eq!(Constant::float(0.1).line("A"), "const A: f32 = 0.1;");
-        assert_eq!(Constant::float(1e-30).line("A"), "const A: f32 = 1e-30;");
-        assert_eq!(Constant::U32(3).line("A"), "const A: u32 = 3u;");
+    fn a_number_is_a_line_of_wgsl() {
+        let line = |value: ShaderValue| Constant::from(&value).line("A");
+        assert_eq!(line(ShaderValue::F32(0.1)), "const A: f32 = 0.1;");
+        assert_eq!(line(ShaderValue::F32(1e-30)), "const A: f32 = 1e-30;");
+        assert_eq!(line(ShaderValue::U32(3)), "const A: u32 = 3u;");
         assert_eq!(
-            Constant::points([Vec2::new(1.0, -0.5)]).line("A"),
+            line(ShaderValue::Vec2s(vec![Vec2::new(1.0, -0.5)])),
             "const A: array<vec2f, 1> = array<vec2f, 1>(vec2f(1.0, -0.5));"
         );
     }

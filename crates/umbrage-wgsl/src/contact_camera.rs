@@ -1,6 +1,6 @@
 //! The camera that contact shadows look from, as bytes. Mirrors `UmbrageContactCamera` of `shaders/receiver/contact.wgsl`.
 
-use encase::{ShaderType, UniformBuffer};
+use encase::UniformBuffer;
 use glam::{Mat4, Vec4};
 use umbrage_core::Camera;
 
@@ -14,31 +14,22 @@ shared_with_shaders! {
     }
 }
 
-/// Writes cameras into bytes that are kept from one frame to the next.
-#[derive(Clone, Debug, Default)]
-pub struct ContactCamera {
-    bytes: Vec<u8>,
-}
+/// Bytes of the uniform buffer that holds a camera.
+pub const CONTACT_CAMERA_BYTES: usize = 144;
 
-impl ContactCamera {
-    /// Bytes of the uniform buffer that holds a camera.
-    pub fn size() -> u64 {
-        Seen::min_size().get()
-    }
-
-    /// What a shader calls `umbrage_contact_camera`, as bytes.
-    pub fn write(&mut self, camera: &Camera) -> &[u8] {
-        let clip_from_world = camera.clip_from_world();
-        let forward = camera.forward();
-        let seen = Seen {
-            clip_from_world,
-            world_from_clip: clip_from_world.as_dmat4().inverse().as_mat4(),
-            depth_row: forward.extend(-forward.dot(camera.eye())),
-        };
-        match UniformBuffer::new(&mut self.bytes).write(&seen) {
-            Ok(()) => &self.bytes,
-            // A vector grows as it is written, so there is no error to report.
-            Err(error) => unreachable!("a growing buffer refused a camera: {error}"),
-        }
+/// What a shader calls `umbrage_contact_camera`, as bytes.
+pub fn contact_camera(camera: &Camera) -> [u8; CONTACT_CAMERA_BYTES] {
+    let clip_from_world = camera.clip_from_world();
+    let forward = camera.forward();
+    let seen = Seen {
+        clip_from_world,
+        world_from_clip: clip_from_world.as_dmat4().inverse().as_mat4(),
+        depth_row: forward.extend(-forward.dot(camera.eye())),
+    };
+    let mut buffer = UniformBuffer::new([0; CONTACT_CAMERA_BYTES]);
+    match buffer.write(&seen) {
+        Ok(()) => buffer.into_inner(),
+        // A test holds that the camera has just this size.
+        Err(error) => unreachable!("a camera takes another number of bytes: {error}"),
     }
 }

@@ -1,6 +1,6 @@
 //! What a texel of the maps of moments and sums is.
 
-use umbrage_core::{Filter, MomentPrecision, Precision, Prefilter};
+use umbrage_core::TexelPrecision;
 
 /// The format of a texture that a step writes and lookups read. Named as in WebGPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -78,43 +78,18 @@ pub struct MomentFormat {
 }
 
 impl MomentFormat {
-    /// What a filter's moments are stored in; `None` for a filter that has none, or sums of them.
-    pub fn of(filter: &Filter, support: TextureSupport) -> Option<Self> {
+    /// What so many numbers of a precision are stored in.
+    pub fn new(precision: TexelPrecision, channels: u32, support: TextureSupport) -> Self {
         use TexelFormat as F;
-        filter.prefilter()?;
-        let wide = |format| Self { format, is_filterable: support.filters_float32, rounds: false };
-        let narrow = |format| Self { format, is_filterable: true, rounds: false };
-        Some(match filter {
-            Filter::Esm(_) => wide(F::R32Float),
-            Filter::Vsm(_) => wide(F::Rg32Float),
-            Filter::Evsm2(of) => match of.precision {
-                Precision::F32 => wide(F::Rg32Float),
-                Precision::F16 if support.writes_two_float16 => narrow(F::Rg16Float),
-                Precision::F16 => narrow(F::Rgba16Float),
-            },
-            Filter::Evsm4(of) if of.precision == Precision::F16 => narrow(F::Rgba16Float),
-            Filter::Msm(of) if of.precision == MomentPrecision::U16 => {
-                if support.has_unorm16 {
-                    narrow(F::Rgba16Unorm)
-                } else {
-                    Self { rounds: true, ..wide(F::Rgba32Float) }
-                }
-            }
-            _ => wide(F::Rgba32Float),
-        })
-    }
-
-    /// How many sizes are made: one, where samplers do not choose among them.
-    pub fn levels(&self, prefilter: &Prefilter) -> u32 {
-        if self.is_filterable { prefilter.mip_levels } else { 1 }
-    }
-}
-
-/// What a texel of a filter's sums is; `None` for a filter that has none.
-pub fn sum_format(filter: &Filter) -> Option<TexelFormat> {
-    match filter {
-        Filter::Savsm(_) => Some(TexelFormat::Rg32Uint),
-        Filter::Mssm(_) => Some(TexelFormat::Rgba32Uint),
-        _ => None,
+        let of = |format, is_filterable| Self { format, is_filterable, rounds: false };
+        match (precision, channels) {
+            (TexelPrecision::F32, 1) => of(F::R32Float, support.filters_float32),
+            (TexelPrecision::F32, 2) => of(F::Rg32Float, support.filters_float32),
+            (TexelPrecision::F32, _) => of(F::Rgba32Float, support.filters_float32),
+            (TexelPrecision::F16, ..=2) if support.writes_two_float16 => of(F::Rg16Float, true),
+            (TexelPrecision::F16, _) => of(F::Rgba16Float, true),
+            (TexelPrecision::U16, _) if support.has_unorm16 => of(F::Rgba16Unorm, true),
+            (TexelPrecision::U16, _) => Self { rounds: true, ..of(F::Rgba32Float, support.filters_float32) },
+        }
     }
 }

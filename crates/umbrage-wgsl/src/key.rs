@@ -1,10 +1,13 @@
 //! What the texts of receivers depend on.
 
-use umbrage_core::{CompareDepth, Moments, RASTER_STEP_TEXELS, Select, Settings};
+use umbrage_core::{
+    CompareDepth, Filter, RASTER_STEP_TEXELS, Select, Settings, ShaderNumber, ShaderValue,
+    Stored as StoredByFilter,
+};
 
 use crate::constants::Constant;
-use crate::filter_constants::{filter_constants, moment_constants};
-use crate::format::{MomentFormat, TexelFormat, TextureSupport, sum_format};
+use crate::format::{MomentFormat, TexelFormat, TextureSupport};
+use crate::link;
 
 /// Everything that the texts of receivers, and of the steps before them, depend on: choices among modules, and numbers. Equal keys
 /// give equal texts.
@@ -43,27 +46,16 @@ pub(crate) enum StoredLayout {
 impl ShaderKey {
     /// The key of settings on a device.
     pub fn new(settings: &Settings, support: TextureSupport) -> Self {
-        let filter = &settings.filter;
-        let moments = filter.moments(1.0);
-        let mut constants = vec![
-            ("UMBRAGE_FILTER_REACH", Constant::float(filter.reach_texels())),
-            ("UMBRAGE_PLANE_REACH", Constant::float(filter.plane_reach_texels())),
-            ("UMBRAGE_STEEPEST_PLANE", Constant::float(filter.steepest_plane())),
-            ("UMBRAGE_RASTER_STEP", Constant::float(RASTER_STEP_TEXELS)),
-        ];
-        constants.extend(filter_constants(filter));
-        constants.extend(moments.as_ref().map(moment_constants).unwrap_or_default());
-        let blurred = MomentFormat::of(filter, support).zip(filter.prefilter());
-        let blurred = blurred
-            .map(|(format, prefilter)| StoredLayout::Moments { format, levels: format.levels(prefilter) });
-        let layout = blurred.or(sum_format(filter).map(|format| StoredLayout::Sums { format }));
+        let value = ShaderValue::F32(RASTER_STEP_TEXELS);
+        let mut numbers = settings.filter.numbers();
+        numbers.push(ShaderNumber { name: "UMBRAGE_RASTER_STEP", value });
         Self {
-            filter: filter.kind(),
+            filter: settings.filter.kind(),
             select: settings.select,
             compare_depth: settings.compare_depth(),
             blends: settings.blend > 0.0,
-            stored: moments.zip(layout).map(|(of, layout)| Stored { module: moments_module(&of), layout }),
-            constants,
+            stored: Stored::by(&settings.filter, support),
+            constants: numbers.iter().map(|number| (number.name, Constant::from(&number.value))).collect(),
         }
     }
 
@@ -90,7 +82,7 @@ impl ShaderKey {
             ("umbrage_gradient", compare),
             ("umbrage_normal_offset", compare),
             ("umbrage_tap", if by_texel { "sampling/tap_one" } else { "sampling/tap_four" }),
-            ("umbrage_filter", filter_module(self.filter, by_texel)),
+            ("umbrage_filter", link::filter_module(self.filter, by_texel)),
         ];
         choices.extend(self.stored.as_ref().and_then(Stored::read_by).map(|by| ("umbrage_moments_at", by)));
         choices
@@ -98,6 +90,25 @@ impl ShaderKey {
 }
 
 impl Stored {
+    /// What a filter stores on a device; `None` where lookups read depths.
+    fn by(filter: &Filter, support: TextureSupport) -> Option<Self> {
+        let (texel, layout) = match filter.stores() {
+            StoredByFilter::Depths => return None,
+            StoredByFilter::Prefiltered { texel, precision, prefilter } => {
+                let format = MomentFormat::new(precision, texel.channels, support);
+                // Samplers choose among sizes; shaders read one.
+                let levels = if format.is_filterable { prefilter.mip_levels } else { 1 };
+                (texel, StoredLayout::Moments { format, levels })
+            }
+            StoredByFilter::Summed { texel, steps: _ } => {
+                let format =
+                    if texel.channels <= 2 { TexelFormat::Rg32Uint } else { TexelFormat::Rgba32Uint };
+                (texel, StoredLayout::Sums { format })
+            }
+        };
+        Some(Self { module: link::moments_module(texel.moments), layout })
+    }
+
     /// The module that looks moments up.
     fn read_by(&self) -> Option<&'static str> {
         match self.layout {
@@ -106,23 +117,5 @@ impl Stored {
             StoredLayout::Moments { levels: 1, .. } => Some("storage/moments_level"),
             StoredLayout::Moments { .. } => Some("storage/moments_footprint"),
         }
-    }
-}
-
-/// A filter's module is the file of its kind; where each texel is compared by itself the one for that, if there is one.
-fn filter_module(kind: &str, by_texel: bool) -> &'static str {
-    let file = |name: String| crate::link::module(&name);
-    let alone = by_texel.then(|| file(format!("filter/{kind}_by_texel"))).flatten();
-    // Every kind has a file, as a test holds.
-    alone.or_else(|| file(format!("filter/{kind}"))).unwrap_or("filter/hard")
-}
-
-pub(crate) fn moments_module(moments: &Moments) -> &'static str {
-    match moments {
-        Moments::Vsm(_) => "moments/vsm",
-        Moments::Esm(_) => "moments/esm",
-        Moments::Evsm2(_) => "moments/evsm2",
-        Moments::Evsm4(_) => "moments/evsm4",
-        Moments::Msm(_) => "moments/msm",
     }
 }

@@ -25,7 +25,6 @@ mod binding;
 mod constants;
 mod contact_camera;
 mod error;
-mod filter_constants;
 mod format;
 mod frame;
 mod key;
@@ -35,8 +34,7 @@ mod steps;
 mod texts;
 
 pub use binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
-pub use constants::Constant;
-pub use contact_camera::ContactCamera;
+pub use contact_camera::{CONTACT_CAMERA_BYTES, contact_camera};
 pub use error::ImportError;
 pub use format::{MomentFormat, TexelFormat, TextureSupport};
 pub use frame::FrameBytes;

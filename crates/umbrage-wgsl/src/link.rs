@@ -109,6 +109,18 @@ impl<'a> Linker<'a> {
     }
 }
 
+/// A filter's module is the file of its kind; where each texel is compared by itself the one for that, if there is one. Every kind
+/// has a file, as a test holds.
+pub(crate) fn filter_module(kind: &str, by_texel: bool) -> &'static str {
+    let alone = by_texel.then(|| module(&format!("filter/{kind}_by_texel"))).flatten();
+    alone.or_else(|| module(&format!("filter/{kind}"))).unwrap_or("filter/hard")
+}
+
+/// The module of moments is the file of their name. All have a file, as a test holds.
+pub(crate) fn moments_module(name: &str) -> &'static str {
+    module(&format!("moments/{name}")).unwrap_or("moments/vsm")
+}
+
 /// The name of a module of ours, for as long as the program runs.
 pub(crate) fn module(name: &str) -> Option<&'static str> {
     MODULES.iter().find(|(known, _)| *known == name).map(|(known, _)| *known)

@@ -13,7 +13,7 @@ macro_rules! shared_with_shaders {
             #[cfg(test)]
             pub fn fields() -> Vec<(&'static str, u64)> {
                 let names = [$(stringify!($field)),*];
-                names.into_iter().enumerate().map(|(i, name)| (name, Self::METADATA.offset(i))).collect()
+                names.into_iter().enumerate().map(|(i, name)| (name, <Self as encase::ShaderType>::METADATA.offset(i))).collect()
             }
         }
     };

@@ -3,10 +3,10 @@
 use umbrage_core::{Moments, Msm};
 
 use crate::binding::{Binding, BindingKind, Dimension, SampleType, Stages};
-use crate::filter_constants::moment_constants;
+use crate::constants::lines;
 use crate::format::{MomentFormat, TexelFormat};
-use crate::key::{ShaderKey, StoredLayout, moments_module};
-use crate::link::{Recipe, link};
+use crate::key::{ShaderKey, StoredLayout};
+use crate::link::{Recipe, link, moments_module};
 use crate::texts::said;
 
 /// A compute step that reads one texture and writes another.
@@ -116,7 +116,7 @@ impl ShaderKey {
 /// * `umbrage_moments_add(sum, moments, weight) -> vec4f`
 /// * `umbrage_moments_visibility(moments, depth, min_standard_deviation) -> f32`; the deviation is a share of the depth range
 pub fn moments(moments: &Moments) -> String {
-    moments_text(moments, moments_module(moments))
+    moments_text(moments, moments_module(moments.kind()))
 }
 
 /// As [`moments`] of four powers, with `umbrage_moments_blocker(moments, depth) -> vec2f`: what share of the depths lies before a
@@ -126,7 +126,6 @@ pub fn msm_blocker(msm: &Msm) -> String {
 }
 
 fn moments_text(moments: &Moments, module: &str) -> String {
-    let constants: Vec<_> =
-        moment_constants(moments).into_iter().map(|(name, constant)| (name, constant.line(name))).collect();
+    let constants = lines(&moments.numbers());
     said(link(Recipe { roots: &[module], constants: &constants, ..Recipe::default() }))
 }

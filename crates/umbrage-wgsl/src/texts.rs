@@ -1,9 +1,9 @@
 //! The texts of receivers and casters, each with what it binds.
 
-use umbrage_core::{Contact, DepthLayer};
+use umbrage_core::{Contact, DepthLayer, ShaderNumber, ShaderValue};
 
 use crate::binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
-use crate::constants::Constant;
+use crate::constants::lines;
 use crate::error::ImportError;
 use crate::key::{ShaderKey, StoredLayout};
 use crate::link::{Recipe, link};
@@ -119,18 +119,17 @@ pub fn map() -> String {
 /// bindings are group `group` of the pipeline: [`contact_bindings`]. The text depends on all of `contact`.
 pub fn contact(contact: &Contact, group: u32) -> String {
     let Contact { length, steps, thickness } = *contact;
-    let constants = [
-        ("UMBRAGE_CONTACT_LENGTH", Constant::float(length)),
-        ("UMBRAGE_CONTACT_STEPS", Constant::U32(steps)),
-        ("UMBRAGE_CONTACT_THICKNESS", Constant::float(thickness)),
-    ];
-    let constants = constants.map(|(name, constant)| (name, constant.line(name)));
+    let constants = lines(&[
+        ShaderNumber { name: "UMBRAGE_CONTACT_LENGTH", value: ShaderValue::F32(length) },
+        ShaderNumber { name: "UMBRAGE_CONTACT_STEPS", value: ShaderValue::U32(steps) },
+        ShaderNumber { name: "UMBRAGE_CONTACT_THICKNESS", value: ShaderValue::F32(thickness) },
+    ]);
     let (roots, in_front) = (&["receiver/contact"], IN_EVERY_RECEIVER);
     let text = link(Recipe { roots, constants: &constants, in_front, ..Recipe::default() });
     said(text.map(|text| in_group(&text, group)))
 }
 
-/// What [`contact`] binds: the camera of [`crate::ContactCamera`], and the depth that it sees.
+/// What [`contact`] binds: the camera of [`crate::contact_camera`], and the depth that it sees.
 pub fn contact_bindings() -> Vec<Binding> {
     let stages = Stages::FragmentAndCompute;
     let uniform = BindingKind::Uniform { has_dynamic_offset: false };

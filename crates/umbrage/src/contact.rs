@@ -4,7 +4,7 @@
 //! take the smaller of `umbrage_light_visibility(…)` and `umbrage_contact(…)`.
 
 use umbrage_core::Camera;
-use umbrage_wgsl::{ContactCamera, contact_bindings};
+use umbrage_wgsl::{CONTACT_CAMERA_BYTES, contact_bindings, contact_camera};
 
 use crate::bindings;
 use crate::objects::Objects;
@@ -14,7 +14,6 @@ use crate::objects::Objects;
 pub struct ContactShadows {
     camera: wgpu::Buffer,
     layout: wgpu::BindGroupLayout,
-    bytes: ContactCamera,
 }
 
 impl ContactShadows {
@@ -23,17 +22,17 @@ impl ContactShadows {
         let objects = Objects::new(device);
         let camera = objects.buffer(&wgpu::BufferDescriptor {
             label: Some("ContactShadows::camera"),
-            size: ContactCamera::size(),
+            size: CONTACT_CAMERA_BYTES as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
         let layout = bindings::group_layout(&objects, "ContactShadows::layout", &contact_bindings());
-        Self { camera, layout, bytes: ContactCamera::default() }
+        Self { camera, layout }
     }
 
     /// Tells the GPU from where the depth is seen.
-    pub fn upload(&mut self, queue: &wgpu::Queue, camera: &Camera) {
-        queue.write_buffer(&self.camera, 0, self.bytes.write(camera));
+    pub fn upload(&self, queue: &wgpu::Queue, camera: &Camera) {
+        queue.write_buffer(&self.camera, 0, &contact_camera(camera));
     }
 
     /// The layout of [`Self::bind_group`].

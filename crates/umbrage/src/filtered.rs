@@ -1,6 +1,6 @@
 //! What lookups read instead of depths, where the filter stores something else: moments or sums of them.
 
-use umbrage_core::{MapLayout, Prefilter, ShadowPlan};
+use umbrage_core::{Filter, MapLayout, ShadowPlan, Stored};
 use umbrage_wgsl::{ShaderKey, TexelFormat};
 
 use crate::bindings::texel_format;
@@ -54,18 +54,15 @@ pub(crate) struct Textures {
 
 impl Filtered {
     /// Moments or sums for a key; `None` where depths themselves are read. Textures of `old` are kept where they fit.
-    pub fn new(
-        source: Source<'_>,
-        key: &ShaderKey,
-        prefilter: Option<&Prefilter>,
-        old: Option<&Self>,
-    ) -> Option<Self> {
+    pub fn new(source: Source<'_>, key: &ShaderKey, filter: &Filter, old: Option<&Self>) -> Option<Self> {
         let old = old.map(Self::textures);
-        let moments = || {
-            let steps = key.moment_steps().zip(prefilter)?;
-            Some(Self::Moments(MomentMaps::new(source, &steps.0, *steps.1, old)))
-        };
-        moments().or_else(|| Some(Self::Sums(SumMaps::new(source, &key.sum_steps()?, old))))
+        match filter.stores() {
+            Stored::Depths => None,
+            Stored::Prefiltered { prefilter, .. } => {
+                Some(Self::Moments(MomentMaps::new(source, &key.moment_steps()?, prefilter, old)))
+            }
+            Stored::Summed { .. } => Some(Self::Sums(SumMaps::new(source, &key.sum_steps()?, old))),
+        }
     }
 
     pub fn textures(&self) -> &Textures {

@@ -61,7 +61,7 @@ impl Parts {
                 let min_layers = capabilities.min_layers;
                 let source = Source { objects, buffers: &buffers, depths: &maps.all, layout, min_layers };
                 let old = old.and_then(|old| old.filtered.as_ref());
-                Filtered::new(source, key, settings.filter.prefilter(), old)
+                Filtered::new(source, key, &settings.filter, old)
             }
         };
         let kind = SamplersKind::of(&settings.filter);

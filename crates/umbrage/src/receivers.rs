@@ -1,6 +1,6 @@
 //! What shaders that ask for visibility bind: the frame, the maps, and what a filter has made of them.
 
-use umbrage_core::Filter;
+use umbrage_core::{Filter, Stored};
 use umbrage_wgsl::{Binding, BindingKind, SamplerKind};
 
 use crate::bindings;
@@ -62,25 +62,25 @@ pub(crate) struct Samplers {
 /// What tells samplers apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SamplersKind {
-    /// Whether one texel is compared, and not four.
-    is_hard: bool,
+    /// Whether four texels are compared, and not one.
+    is_bilinear: bool,
     anisotropy: u16,
 }
 
 impl SamplersKind {
     /// What a filter asks for.
     pub fn of(filter: &Filter) -> Self {
-        let prefilter = filter.prefilter().copied().unwrap_or_default();
-        Self {
-            is_hard: matches!(filter, Filter::Hard {}),
-            anisotropy: if prefilter.mip_levels > 1 { prefilter.anisotropy as u16 } else { 1 },
-        }
+        let anisotropy = match filter.stores() {
+            Stored::Prefiltered { prefilter, .. } if prefilter.mip_levels > 1 => prefilter.anisotropy as u16,
+            Stored::Depths | Stored::Prefiltered { .. } | Stored::Summed { .. } => 1,
+        };
+        Self { is_bilinear: filter.is_bilinear(), anisotropy }
     }
 }
 
 impl Samplers {
     pub fn new(objects: &Objects<'_>, kind: SamplersKind) -> Self {
-        let mode = if kind.is_hard { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
+        let mode = if kind.is_bilinear { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
         let comparison = objects.sampler(&wgpu::SamplerDescriptor {
             label: Some("Shadows::comparison_sampler"),
             mag_filter: mode,

@@ -1,7 +1,8 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Allocation, Bounds, Camera, Light, MapLayout, PlanError, Settings, ShadowPlan, ShadowView, plan,
+    Allocation, Bounds, Camera, Light, MapLayout, MapTexels, PICTURE_SIZE, PlanError, Settings, ShadowPlan,
+    ShadowView, plan,
 };
 use umbrage_wgsl::{FrameBytes, ShaderKey, receiver};
 
@@ -11,7 +12,7 @@ use crate::casting::Casting;
 use crate::changed::Changed;
 use crate::error::ShadowError;
 use crate::frame::offset;
-use crate::maps::{MapTexels, Maps, check_size};
+use crate::maps::{Maps, check_size};
 use crate::objects::Objects;
 use crate::parts::{Parts, Wanted};
 use crate::supported::{allocation, check};
@@ -395,6 +396,3 @@ impl Shadows {
         plan.views().iter().try_for_each(|view| self.check_view(view))
     }
 }
-
-/// The picture that a camera is taken to fill until it is said, pixels.
-pub(crate) const PICTURE_SIZE: [u32; 2] = [1920, 1080];

@@ -9,9 +9,7 @@ use crate::error::ShadowError;
 pub(crate) fn check(settings: &Settings, capabilities: Capabilities) -> Result<(), ShadowError> {
     settings.validate()?;
     let Settings { filter, bias, .. } = settings;
-    let loads = filter.light_size().is_some()
-        || filter.moments(1.0).is_some()
-        || bias.depth_layer != DepthLayer::First;
+    let loads = filter.reads_depth_values() || bias.depth_layer != DepthLayer::First;
     if loads && !capabilities.loads_depth {
         return Err(ShadowError::Unsupported {
             what: "a soft filter, a filter of moments, or a second `bias.depth_layer`",

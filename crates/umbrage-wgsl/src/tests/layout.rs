@@ -1,5 +1,6 @@
 //! CPU and shaders lay the same fields out alike, and mean the same by their numbers.
 
+use encase::ShaderType;
 use glam::Vec3;
 use umbrage_core::{Contact, Disc, Filter, Light, NoiseSource, Settings};
 
@@ -23,6 +24,7 @@ fn shader_and_rust_agree_where_every_field_of_the_contact_camera_lies() {
     let receiver = receiver(&ShaderKey::new(&Settings::default(), TextureSupport::ALL), 1);
     let text = receiver + &contact(&Contact::default(), 3);
     same(&text, "UmbrageContactCamera", &contact_camera::Seen::fields());
+    assert_eq!(contact_camera::Seen::min_size().get(), CONTACT_CAMERA_BYTES as u64);
 }
 
 /// The value of a constant of a text.
