@@ -18,7 +18,11 @@ pub struct PlanArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct WorldsArgs {
+    /// Print docs/worlds.md: each world with its picture, size, lights and cameras
+    #[arg(long)]
+    pub markdown: bool,
     #[command(subcommand)]
     pub command: Option<WorldsCommand>,
 }
