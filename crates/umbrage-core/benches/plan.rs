@@ -20,8 +20,8 @@ fn sun() -> Vec<Light> {
 
 fn spots(count: usize) -> Vec<Light> {
     let spot = |i: usize| {
-        let tip = Vec3::new((i % 4) as f32 * 60.0 - 90.0, 30.0, 300.0 - (i / 4) as f32 * 80.0);
-        Light::spot(tip, Vec3::new(0.2, -1.0, -0.4), 0.7, 120.0).expect("a spot")
+        let apex = Vec3::new((i % 4) as f32 * 60.0 - 90.0, 30.0, 300.0 - (i / 4) as f32 * 80.0);
+        Light::spot(apex, Vec3::new(0.2, -1.0, -0.4), 0.7, 120.0).expect("a spot")
     };
     (0..count).map(spot).collect()
 }
@@ -66,7 +66,7 @@ fn techniques() -> Vec<Technique> {
         Technique {
             name: "a point light",
             settings: Settings::default(),
-            lights: vec![Light::point(Vec3::new(0.0, 15.0, 300.0), 120.0).expect("a lamp")],
+            lights: vec![Light::point(Vec3::new(0.0, 15.0, 300.0), 120.0).expect("a point light")],
             looks_at_objects: false,
         },
     ]

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-/// An axis-aligned box in world space, metres. Empty when any `min` exceeds its `max`.
+/// An axis-aligned box in world space, metres. It is empty when any `min` exceeds its `max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// The smallest coordinates inside.
@@ -11,17 +11,17 @@ pub struct Aabb {
     pub max: Vec3,
 }
 
-/// A world, seen from a planner.
+/// What a planner knows of a world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
-    /// Everything that casts or receives lies in here.
+    /// The box in which everything lies that casts or receives.
     pub world: Aabb,
-    /// Boxes of the things in the world, for scene-dependent fits. May be empty: then `world` stands for all of them.
+    /// The boxes of the things in the world, for scene-dependent fits. Where there are none, `world` stands for all of them.
     pub objects: Vec<Aabb>,
 }
 
 impl Bounds {
-    /// A world of which only the outer box is known.
+    /// Makes a world of which only the outer box is known.
     pub fn of_world(min: Vec3, max: Vec3) -> Self {
         Self { world: Aabb { min, max }, objects: Vec::new() }
     }
@@ -31,18 +31,18 @@ impl Aabb {
     /// The box that holds nothing.
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
-    /// The smallest box that holds both.
+    /// Returns the smallest box that holds both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// Whether nothing is inside.
+    /// Whether nothing lies inside.
     pub fn is_empty(self) -> bool {
         !self.min.cmple(self.max).all()
     }
 
-    /// The eight corners, x fastest.
+    /// Returns the eight corners, x fastest.
     pub fn corners(self) -> [Vec3; 8] {
         std::array::from_fn(|i| {
             let pick = |bit: usize, low: f32, high: f32| if i >> bit & 1 == 0 { low } else { high };

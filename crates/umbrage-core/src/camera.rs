@@ -4,23 +4,23 @@ use std::ops::Range;
 
 use glam::{DVec3, Mat4, Vec3};
 
-use crate::CameraError;
+use crate::error::CameraError;
 
 /// How a camera projects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
-    /// A pinhole.
+    /// The camera is a pinhole.
     Perspective {
-        /// Whole vertical field of view, radians, between 0 and π.
+        /// The whole vertical field of view, radians, between 0 and π.
         fov_y: f32,
-        /// Width over height.
+        /// The picture's width over its height.
         aspect: f32,
     },
-    /// Parallel rays.
+    /// All rays of the camera are parallel.
     Orthographic {
         /// Half the height of the visible box, metres.
         half_height: f32,
-        /// Width over height.
+        /// The picture's width over its height.
         aspect: f32,
     },
 }
@@ -38,7 +38,7 @@ pub struct Camera {
 const RIGID_TOLERANCE: f32 = 1e-3;
 
 impl Camera {
-    /// A camera from its rigid transform (columns right, up, back, eye) and its depth range in metres.
+    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres.
     ///
     /// # Errors
     /// When the transform is not rigid, the range is not 0 < near < far, or the projection is degenerate.
@@ -79,7 +79,7 @@ impl Camera {
         Ok(Self { world_from_view, projection, near, far })
     }
 
-    /// A perspective camera at `eye` that looks at `target`, with `up` as near to its up as can be.
+    /// Makes a camera at `eye` that looks at `target`, with `up` as near to its up as can be.
     ///
     /// # Errors
     /// As [`Self::new`]; [`CameraError::NotRigid`] when `eye` is `target`, or `up` is along the view.
@@ -99,42 +99,42 @@ impl Camera {
         Self::new(world_from_view, projection, near, far)
     }
 
-    /// Columns right, up, back and eye.
+    /// The matrix from view to world space: columns right, up, back and eye.
     pub fn world_from_view(&self) -> Mat4 {
         self.world_from_view
     }
 
-    /// The inverse of [`Self::world_from_view`].
+    /// The matrix from world to view space.
     pub fn view_from_world(&self) -> Mat4 {
         self.world_from_view.inverse()
     }
 
-    /// How it projects.
+    /// How the camera projects.
     pub fn projection(&self) -> Projection {
         self.projection
     }
 
-    /// Nearest visible depth, metres.
+    /// The nearest visible view depth, metres.
     pub fn near(&self) -> f32 {
         self.near
     }
 
-    /// Farthest visible depth, metres.
+    /// The farthest visible view depth, metres.
     pub fn far(&self) -> f32 {
         self.far
     }
 
-    /// Where it stands, in world space.
+    /// Where the camera stands, in world space.
     pub fn eye(&self) -> Vec3 {
         self.world_from_view.w_axis.truncate()
     }
 
-    /// Unit direction of view, in world space.
+    /// The unit direction of view, in world space.
     pub fn forward(&self) -> Vec3 {
         -self.world_from_view.z_axis.truncate()
     }
 
-    /// The projection, with reversed depth: 1 on the near plane, 0 on the far one.
+    /// The matrix from view to clip space, with reversed depth: 1 on the near plane, 0 on the far one.
     pub fn clip_from_view(&self) -> Mat4 {
         let (n, f) = (self.near, self.far);
         match self.projection {
@@ -180,12 +180,12 @@ impl Camera {
         }
     }
 
-    /// Projection times view.
+    /// The matrix from world to clip space.
     pub fn clip_from_world(&self) -> Mat4 {
         self.clip_from_view() * self.view_from_world()
     }
 
-    /// The camera's reversed clip depth, 1…0, of something at view depth `depth` metres
+    /// Returns the camera's reversed clip depth, 1…0, of something at view depth `depth` metres
     /// (Zhang et al. 2006, eq. 8, corrected for n ≠ 1 and reversed).
     pub fn clip_depth(&self, depth: f32) -> f32 {
         let (n, f) = (self.near, self.far);
@@ -208,7 +208,7 @@ impl Camera {
         }
     }
 
-    /// The eight corners of the slice between two view depths, in world space: the near four counter-clockwise seen
+    /// Returns the eight corners of the slice between two view depths, in world space: the near four counter-clockwise seen
     /// from the eye, from lower left; then the far four likewise.
     pub fn slice_corners(&self, depths: Range<f64>) -> [DVec3; 8] {
         let axis = |v: glam::Vec4| v.truncate().as_dvec3();

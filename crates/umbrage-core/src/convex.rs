@@ -3,11 +3,11 @@
 //! A body is its faces, each a convex polygon seen counter-clockwise from outside. Clipping is Sutherland–Hodgman on
 //! every face, and a new face over the cut. Bodies live on the stack; sums are in f64.
 
+use arrayvec::ArrayVec;
 use glam::DVec3;
 
 use crate::bounds::Aabb;
-use crate::few::ArrayVec;
-use crate::frustum::PlaneF64;
+use crate::plane::PlaneF64;
 
 /// A frustum clipped by a box and by another frustum has at most 18 faces.
 pub(crate) const MAX_FACES: usize = 20;
@@ -18,14 +18,17 @@ const SAME_POINT: f64 = 1e-9;
 
 type Face = ArrayVec<DVec3, MAX_CORNERS>;
 
-/// A convex body in world space, metres; perhaps empty.
+/// A convex body in world space, metres. The default is empty.
 #[derive(Clone, Debug, Default)]
 pub struct ConvexBody {
     faces: ArrayVec<Face, MAX_FACES>,
 }
 
+/// The body of which nothing is left.
+pub(crate) static NOTHING: ConvexBody = ConvexBody { faces: ArrayVec::new_const() };
+
 impl ConvexBody {
-    /// The hexahedron with these corners: four of one side in a ring, then the opposite four, as
+    /// Makes the hexahedron with these corners: four of one side in a ring, then the opposite four, as
     /// [`crate::Camera::slice_corners`] gives them.
     pub fn of_slice(corners: &[DVec3; 8]) -> Self {
         let centre = corners.iter().sum::<DVec3>() / 8.0;
@@ -54,7 +57,7 @@ impl ConvexBody {
         })
     }
 
-    /// The box between two corners.
+    /// Makes the box between two corners.
     pub fn of_box(min: DVec3, max: DVec3) -> Self {
         let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
         Self::of_slice(&[
@@ -69,17 +72,17 @@ impl ConvexBody {
         ])
     }
 
-    /// Whether nothing is left.
+    /// Whether the body is empty.
     pub fn is_empty(&self) -> bool {
         self.faces.is_empty()
     }
 
-    /// The faces' corners; a corner that k faces share comes k times.
+    /// Gives the faces' corners; a corner that k faces share comes k times.
     pub fn corners(&self) -> impl Iterator<Item = DVec3> + '_ {
         self.faces.iter().flat_map(|face| face.iter().copied())
     }
 
-    /// What is left of the body where `normal · p + distance ≥ 0`. A body that lies on the plane's outside, or only
+    /// Returns what is left of the body where `normal · p + distance ≥ 0`. A body that lies on the plane's outside, or only
     /// touches it, becomes empty. Where there is no room for another face the body is returned whole, which is safe for
     /// fits and culling.
     #[must_use]
@@ -99,12 +102,12 @@ impl ConvexBody {
         if !outside {
             return self.clone();
         }
-        if !inside || self.faces.len() == MAX_FACES {
+        if !inside || self.faces.is_full() {
             return if inside { self.clone() } else { Self::default() };
         }
         let mut left = Self::default();
         let mut cut = Face::default();
-        for face in self.faces.iter() {
+        for face in &self.faces {
             let mut kept = Face::default();
             for (i, &a) in face.iter().enumerate() {
                 let b = face[(i + 1) % face.len()];
@@ -130,7 +133,7 @@ impl ConvexBody {
         left
     }
 
-    /// The faces' edges; each comes twice, once for either face.
+    /// Gives the faces' edges; each comes twice, once for either face.
     pub fn edges(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
         let ends = |face: &Face, i: usize| (face[i], face[(i + 1) % face.len()]);
         self.faces.iter().flat_map(move |face| (0..face.len()).map(move |i| ends(face, i)))
@@ -144,34 +147,17 @@ impl ConvexBody {
         })
     }
 
-    /// Cubic metres: the sum of the tetrahedra from the first corner to every face.
-    pub fn volume(&self) -> f64 {
-        let Some(apex) = self.corners().next() else { return 0.0 };
-        self.faces.iter().map(|face| area_vector(face).dot(face[0] - apex) / 3.0).sum()
-    }
-
-    /// How many distinct corners.
-    pub fn corner_count(&self) -> usize {
-        let mut seen: Vec<DVec3> = Vec::new();
-        for corner in self.corners() {
-            if seen.iter().all(|p| p.distance(corner) > 1e-6 * corner.abs().max_element().max(1.0)) {
-                seen.push(corner);
-            }
-        }
-        seen.len()
-    }
-
     fn add_face(&mut self, corners: &[DVec3]) {
         let mut face = Face::default();
-        let fits = corners.iter().all(|&corner| face.push(corner));
-        let fits = self.faces.push(face) && fits;
+        let fits = corners.iter().all(|&corner| face.try_push(corner).is_ok());
+        let fits = self.faces.try_push(face).is_ok() && fits;
         debug_assert!(fits, "MAX_FACES and MAX_CORNERS bound every body that the planner makes");
     }
 }
 
 fn add_apart(face: &mut Face, point: DVec3, same: f64) {
     if face.iter().all(|p| p.distance_squared(point) > same * same) {
-        let fits = face.push(point);
+        let fits = face.try_push(point).is_ok();
         debug_assert!(fits, "MAX_CORNERS bounds every face that the planner makes");
     }
 }
@@ -194,7 +180,7 @@ fn ring(points: &Face, inward: DVec3) -> Face {
     sorted.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let mut face = Face::default();
     for (_, point) in &sorted[..points.len()] {
-        let fits = face.push(*point);
+        let fits = face.try_push(*point).is_ok();
         debug_assert!(fits, "as many as there were");
     }
     face
@@ -203,6 +189,25 @@ fn ring(points: &Face, inward: DVec3) -> Face {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl ConvexBody {
+        /// The volume in cubic metres: the sum of the tetrahedra from the first corner to every face.
+        pub(crate) fn volume(&self) -> f64 {
+            let Some(apex) = self.corners().next() else { return 0.0 };
+            self.faces.iter().map(|face| area_vector(face).dot(face[0] - apex) / 3.0).sum()
+        }
+
+        /// How many distinct corners there are.
+        fn corner_count(&self) -> usize {
+            let mut seen: Vec<DVec3> = Vec::new();
+            for corner in self.corners() {
+                if seen.iter().all(|p| p.distance(corner) > 1e-6 * corner.abs().max_element().max(1.0)) {
+                    seen.push(corner);
+                }
+            }
+            seen.len()
+        }
+    }
 
     #[test]
     fn a_cube_clipped_by_a_corner_plane_is_v23() {

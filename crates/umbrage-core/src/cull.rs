@@ -3,13 +3,13 @@
 //! The sweep of a convex body along a direction is bounded by the body's faces that look away from where it goes, and
 //! by planes along that direction through its outline. The outline is the convex hull of the corners seen from the light.
 
+use arrayvec::ArrayVec;
 use glam::{DVec2, DVec4, Vec3};
 
 use crate::bounds::Aabb;
 use crate::convex::ConvexBody;
-use crate::few::ArrayVec;
-use crate::fit::outline::convex_hull;
-use crate::frustum::{Plane, PlaneF64};
+use crate::hull::convex_hull;
+use crate::plane::{Plane, PlaneF64};
 use crate::space::LightSpace;
 
 /// A clipped slice has at most 12 faces and 20 corners.
@@ -19,43 +19,43 @@ const MAX_OUTLINE: usize = 48;
 /// Planes are moved outward by this share of the body's size: f32 rounding must not lose a caster.
 const MARGIN: f64 = 1e-6;
 
-/// An intersection of half-spaces in world space: who may cast into a view. No planes is everything,
-/// [`ConvexVolume::empty`] is nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+/// An intersection of half-spaces in world space: a caster that touches it may cast into a view. Without planes it holds
+/// everything; [`ConvexVolume::empty`] holds nothing.
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct ConvexVolume {
     planes: ArrayVec<Plane, MAX_PLANES>,
     empty: bool,
 }
 
 impl ConvexVolume {
-    /// The volume that nothing touches.
+    /// Makes the volume that nothing touches.
     pub fn empty() -> Self {
-        Self { planes: ArrayVec::default(), empty: true }
+        Self { planes: ArrayVec::new(), empty: true }
     }
 
-    /// The inside of a clip matrix with depth 0…1.
+    /// Makes the volume inside of a clip matrix with depth 0…1.
     pub fn of_clip(clip_from_world: &glam::Mat4) -> Self {
         let mut volume = Self::default();
         Plane::of_clip(clip_from_world).for_each(|plane| volume.add(plane));
         volume
     }
 
-    /// Its half-spaces, inward.
+    /// The planes that bound it, with normals inward.
     pub fn planes(&self) -> &[Plane] {
         &self.planes
     }
 
-    /// Whether it is known to hold nothing.
+    /// Whether it is the volume that nothing touches.
     pub fn is_empty(&self) -> bool {
         self.empty
     }
 
-    /// Whether a point lies inside.
+    /// Whether a point of the world lies inside.
     pub fn contains(&self, point: Vec3) -> bool {
         !self.empty && self.planes.iter().all(|plane| plane.signed_distance(point) >= 0.0)
     }
 
-    /// Whether a box may touch it. Never wrong when it says no.
+    /// Whether the box from `min` to `max` may touch it. It is never wrong when it says no.
     pub fn may_touch(&self, min: Vec3, max: Vec3) -> bool {
         !self.empty
             && self.planes.iter().all(|plane| {
@@ -64,14 +64,14 @@ impl ConvexVolume {
             })
     }
 
-    /// Whether a box may touch it.
+    /// Whether a box may touch it. It is never wrong when it says no.
     pub fn may_touch_box(&self, aabb: &Aabb) -> bool {
         self.may_touch(aabb.min, aabb.max)
     }
 
     /// A list that is full drops the plane: the volume stays safe, only larger.
     fn add(&mut self, plane: Plane) {
-        let _full = !self.planes.push(plane);
+        let _fits = self.planes.try_push(plane);
     }
 
     /// Everything between `receivers` and the light, `receivers` included, and `reach` metres around it.
@@ -83,7 +83,7 @@ impl ConvexVolume {
         let same = MARGIN * size.max(1.0);
         let margin = same + reach;
         let mut volume = Self::default();
-        for plane in receivers.planes().filter(|plane| plane.normal.dot(light.along) < -1e-6) {
+        for plane in receivers.planes().filter(|plane| plane.normal.dot(light.axis) < -1e-6) {
             volume.add(plane.widened(margin));
         }
         let outline = outline(receivers.corners().map(|p| light.to_light(p).truncate()), same);
@@ -126,11 +126,7 @@ fn outline(points: impl Iterator<Item = DVec2>, same: f64) -> ArrayVec<DVec2, MA
     }
     let mut hull = [DVec2::ZERO; 2 * MAX_OUTLINE];
     let len = convex_hull(&mut apart[..count], &mut hull);
-    let mut ring = ArrayVec::default();
-    for &point in &hull[..len] {
-        let _full = !ring.push(point);
-    }
-    ring
+    hull[..len].iter().copied().collect()
 }
 
 #[cfg(test)]

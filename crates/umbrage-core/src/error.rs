@@ -2,20 +2,20 @@
 
 use std::fmt;
 
-/// A camera that cannot see.
+/// Why a camera cannot see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CameraError {
     /// The depth range is empty, negative or not finite.
     DepthRange {
-        /// Nearest depth, metres.
+        /// The nearest depth that was given, metres.
         near: f32,
-        /// Farthest depth, metres.
+        /// The farthest depth that was given, metres.
         far: f32,
     },
     /// The field of view is not between 0 and π.
     FieldOfView(f32),
-    /// Width over height is not positive and finite.
+    /// The picture's width over its height is not positive and finite.
     Aspect(f32),
     /// Half the height of an orthographic picture is not positive and finite.
     HalfHeight(f32),
@@ -47,7 +47,7 @@ impl fmt::Display for CameraError {
     }
 }
 
-/// A light that does not shine.
+/// Why a light does not shine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LightError {
@@ -59,7 +59,7 @@ pub enum LightError {
     HalfAngle(f32),
     /// The range is not positive, metres.
     Range(f32),
-    /// The size is negative, or more than a light can have: radians of a sun, metres of a lamp.
+    /// The size is negative, or more than a light can have: radians of a sun, metres of a punctual light.
     Size(f32),
 }
 
@@ -79,39 +79,39 @@ impl fmt::Display for LightError {
             Self::Range(range) => write!(f, "a light's range must be positive, got {range} m"),
             Self::Size(size) => write!(
                 f,
-                "a light's size must be 0 or more, in radians up to π for a sun and in metres for a lamp, got {size}"
+                "a light's size must be 0 or more, in radians up to π for a sun and in metres for a spot or a point light, got {size}"
             ),
         }
     }
 }
 
-/// A setting out of its range.
+/// Why settings are refused.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingsError {
-    /// A number outside its range.
+    /// A number lies outside its range.
     OutOfRange {
         /// The setting's key, as in a settings file.
         key: &'static str,
-        /// What was given.
+        /// The number that was given.
         value: f64,
         /// What is allowed, with the unit.
         wanted: &'static str,
     },
-    /// Two settings that exclude each other.
+    /// Two settings exclude each other.
     Conflict {
-        /// The one, with its value.
+        /// The one setting, with its value.
         this: &'static str,
-        /// The other.
+        /// The other setting.
         other: &'static str,
-        /// Why.
+        /// Why they exclude each other.
         why: &'static str,
     },
     /// The manual split distances do not rise, or there are not `splits − 1` of them.
     Manual {
         /// How many inner distances there should be.
         wanted: u32,
-        /// What was given, metres.
+        /// The distances that were given, metres.
         got: Vec<f32>,
     },
 }
@@ -137,11 +137,11 @@ impl fmt::Display for SettingsError {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// The settings contradict themselves.
+    /// A setting is refused.
     Settings(SettingsError),
     /// The shadow distance ends before the camera's near plane.
     Distance {
-        /// `distance` of the settings, metres.
+        /// Where shadows end, metres.
         distance: f32,
         /// The camera's near, metres.
         near: f32,
@@ -152,15 +152,15 @@ pub enum PlanError {
     Room {
         /// How many views they need.
         got: u32,
-        /// For how many the maps were made.
-        most: u32,
+        /// How many views the maps were made for.
+        max: u32,
     },
-    /// More lights than one plan can hold.
+    /// There are more lights than one plan can hold.
     Lights {
-        /// How many were given.
+        /// How many lights were given.
         got: usize,
-        /// How many fit.
-        most: usize,
+        /// How many lights a plan holds.
+        max: usize,
     },
 }
 
@@ -172,13 +172,13 @@ impl fmt::Display for PlanError {
                 write!(f, "`distance` must exceed the camera's near of {near} m, got {distance} m")
             }
             Self::Bounds => write!(f, "the world's bounds must be finite"),
-            Self::Room { got, most } => {
+            Self::Room { got, max } => {
                 write!(
                     f,
-                    "the lights need {got} views, and the maps were made for {most}, or for smaller tiles"
+                    "the lights need {got} views, and the maps were made for {max}, or for smaller tiles"
                 )
             }
-            Self::Lights { got, most } => write!(f, "a plan holds at most {most} lights, got {got}"),
+            Self::Lights { got, max } => write!(f, "a plan holds at most {max} lights, got {got}"),
         }
     }
 }

@@ -13,24 +13,35 @@
 //! This crate does not: draw, allocate textures, know a shading language, load scenes, or choose your light.
 
 mod aliasing;
+mod allocation;
 mod bias;
 mod bounds;
 mod camera;
+mod casters;
 mod check;
 mod contact;
 mod convex;
 mod cull;
+mod depth_range;
 mod error;
-mod few;
 mod filter;
+mod finite;
 mod fit;
-mod frustum;
+mod homography;
+mod hull;
 pub mod kernel;
 mod light;
 mod light_frustum;
+mod light_projection;
 mod moments;
 mod plan;
+mod plane;
 mod presets;
+mod reach;
+mod receivers;
+mod rectangle;
+mod region;
+mod rotation;
 pub mod schema;
 mod settings;
 mod space;
@@ -44,6 +55,7 @@ pub use aliasing::{
     PerspectiveError, TexelExtent, balanced_warp_near, ideal_storage_factor, largest_perspective_error,
     perspective_error, perspective_texel_extent, storage_factor, texel_extent,
 };
+pub use allocation::{Allocation, MapLayout, Tile};
 pub use bias::{BiasMetres, CompareDepth, RASTER_STEP_TEXELS};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
@@ -51,22 +63,22 @@ pub use contact::Contact;
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
-pub use few::ArrayVec;
 pub use filter::{
     Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision,
     NoiseSource, Pcss, Prefilter, SoftMoments, SummedVariance, Variance,
 };
-pub use frustum::Plane;
+pub use fit::Fit;
 pub use light::{Light, LightKind};
 pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
+pub use plane::Plane;
 pub use presets::{PRESETS, Preset};
 pub use settings::{
-    Bias, CasterFaces, DepthFormat, DepthLayer, Fit, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
-    Storage, Warp,
+    Bias, CasterFaces, DepthFormat, DepthLayer, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
+    Storage,
 };
-pub use space::LightSpace;
-pub use split::split_distances;
-pub use stabilise::{Sphere, bounding_sphere, quantise_up, snap};
+pub use space::Rays;
+pub use split::{Splits, split_distances};
 pub use texel_basis::TexelBasis;
-pub use view::{MapLayout, ShadowView, Tile};
+pub use view::{ShadowView, ViewKey};
+pub use warp::Warp;

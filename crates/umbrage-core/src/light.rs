@@ -2,55 +2,50 @@
 
 use glam::Vec3;
 
-use crate::LightError;
+use crate::error::LightError;
 use crate::filter::LightSize;
 
-/// A light that casts shadows.
+/// A light that casts shadows. Made by functions that refuse what cannot shine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Where its rays come from.
-    pub kind: LightKind,
-    /// Texels a side of each of its views' tiles; as the settings say where absent.
-    pub resolution: Option<u32>,
-    /// How large it is, for soft filters: the whole angle that a sun is seen under, radians, or a lamp's diameter, metres.
-    /// As the filter says where absent.
-    pub size: Option<f32>,
+    kind: LightKind,
+    resolution: Option<u32>,
+    size: Option<f32>,
 }
 
-/// Where a light's rays come from, in world space. Made by the functions of [`Light`], which refuse what cannot shine.
+/// Where a light's rays come from, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-
 pub enum LightKind {
-    /// Parallel, as from the sun.
+    /// A sun: its rays are parallel.
     Directional {
-        /// Unit direction in which the light travels.
+        /// The unit direction in which the light travels.
         direction: Vec3,
     },
-    /// A cone.
+    /// A spot: its rays fill a cone.
     Spot {
-        /// Its tip, metres.
+        /// The apex of the cone, metres.
         position: Vec3,
-        /// Unit direction of its axis.
+        /// The unit direction of the cone's axis.
         direction: Vec3,
-        /// Between axis and rim, radians, below π/2.
+        /// The angle between axis and rim, radians, below π/2.
         half_angle: f32,
-        /// How far it reaches, metres; may be infinite.
+        /// How far the light reaches, metres; may be infinite.
         range: f32,
     },
-    /// All directions.
+    /// A point light: its rays go in all directions.
     Point {
-        /// Metres.
+        /// Where the light is, metres.
         position: Vec3,
-        /// How far it reaches, metres; may be infinite.
+        /// How far the light reaches, metres; may be infinite.
         range: f32,
     },
 }
 
-/// Views of a point light: the faces of a cube.
+/// The views of a point light are the faces of a cube.
 pub(crate) const FACES: u32 = 6;
 
 impl Light {
-    /// A sun whose light travels along `direction`, of any length.
+    /// Makes a sun whose light travels along `direction`, of any length.
     ///
     /// # Errors
     /// When `direction` is zero or not finite.
@@ -58,7 +53,7 @@ impl Light {
         Ok(Self::of(LightKind::Directional { direction: unit(direction)? }))
     }
 
-    /// A cone of light from `position` along `direction` (of any length), `half_angle` radians from its axis to its rim,
+    /// Makes a cone of light from `position` along `direction` (of any length), `half_angle` radians from its axis to its rim,
     /// `range` metres long.
     ///
     /// # Errors
@@ -72,7 +67,7 @@ impl Light {
         Ok(Self::of(LightKind::Spot { position, direction, half_angle, range }))
     }
 
-    /// Light in all directions from `position`, `range` metres far.
+    /// Makes a light in all directions from `position`, `range` metres far.
     ///
     /// # Errors
     /// When `range` is not positive or `position` not finite.
@@ -85,27 +80,47 @@ impl Light {
         Self { kind, resolution: None, size: None }
     }
 
-    /// The same with tiles of `texels` a side.
+    /// Returns the same light with tiles of `texels` a side, instead of the settings' `resolution`.
     #[must_use]
     pub fn with_resolution(self, texels: u32) -> Self {
         Self { resolution: Some(texels), ..self }
     }
 
-    /// The same of such a size: the whole angle that a sun is seen under, radians up to π, or a lamp's diameter, metres.
+    /// Returns the same light of such a size, for soft filters: the whole angle that a sun is seen under, radians up to π,
+    /// or a punctual light's diameter, metres.
     ///
     /// # Errors
     /// When it is negative or not finite, or a sun more than half of all directions.
     pub fn with_size(self, size: f32) -> Result<Self, LightError> {
-        let most =
-            if matches!(self.kind, LightKind::Directional { .. }) { std::f32::consts::PI } else { f32::MAX };
-        if (0.0..=most).contains(&size) {
+        let max = match self.kind {
+            LightKind::Directional { .. } => std::f32::consts::PI,
+            LightKind::Spot { .. } | LightKind::Point { .. } => f32::MAX,
+        };
+        if (0.0..=max).contains(&size) {
             Ok(Self { size: Some(size), ..self })
         } else {
             Err(LightError::Size(size))
         }
     }
 
-    /// What penumbrae grow with: the tangent of half the angle that a sun is seen under, or a lamp's radius, metres.
+    /// Where the light's rays come from.
+    pub fn kind(&self) -> LightKind {
+        self.kind
+    }
+
+    /// The texels a side of each of its views' tiles; the settings' `resolution` where `None`.
+    pub fn resolution(&self) -> Option<u32> {
+        self.resolution
+    }
+
+    /// How large the light is, for soft filters: the whole angle that a sun is seen under, radians, or a punctual light's
+    /// diameter, metres. The filter's own size where `None`.
+    pub fn size(&self) -> Option<f32> {
+        self.size
+    }
+
+    /// Returns what penumbrae grow with: the tangent of half the angle that a sun is seen under, or a punctual light's
+    /// radius, metres. `otherwise` is the size of a light that has none of its own.
     pub fn half_size(&self, otherwise: LightSize) -> f32 {
         match self.kind {
             LightKind::Directional { .. } => {
@@ -119,7 +134,7 @@ impl Light {
         }
     }
 
-    /// Unit direction from a point of the world toward the light; zero at the light itself.
+    /// Returns the unit direction from a point of the world toward the light; zero at the light itself.
     pub fn direction_from(&self, point: Vec3) -> Vec3 {
         match self.kind {
             LightKind::Directional { direction } => -direction,
@@ -184,15 +199,15 @@ mod tests {
         assert_eq!(sun.with_size(0.0).map(|sun| sun.half_size(otherwise)), Ok(0.0));
         assert_eq!(sun.with_size(-0.1), Err(LightError::Size(-0.1)));
         assert_eq!(sun.with_size(3.2), Err(LightError::Size(3.2)));
-        let lamp = Light::point(Vec3::ZERO, 9.0).expect("a lamp");
-        assert_eq!(lamp.half_size(otherwise), 1.5);
-        assert!(lamp.with_size(3.2).is_ok() && lamp.with_size(f32::INFINITY).is_err(), "metres");
+        let point = Light::point(Vec3::ZERO, 9.0).expect("a point light");
+        assert_eq!(point.half_size(otherwise), 1.5);
+        assert!(point.with_size(3.2).is_ok() && point.with_size(f32::INFINITY).is_err(), "metres");
     }
 
     #[test]
-    fn a_lamp_is_seen_from_everywhere_but_from_itself() {
-        let lamp = Light::point(Vec3::new(0.0, 3.0, 0.0), 9.0);
-        let toward = |point| lamp.map(|lamp| lamp.direction_from(point));
+    fn a_point_light_is_seen_from_everywhere_but_from_itself() {
+        let light = Light::point(Vec3::new(0.0, 3.0, 0.0), 9.0);
+        let toward = |from| light.map(|light| light.direction_from(from));
         assert_eq!(toward(Vec3::ZERO), Ok(Vec3::Y));
         assert_eq!(toward(Vec3::new(0.0, 3.0, 0.0)), Ok(Vec3::ZERO));
     }

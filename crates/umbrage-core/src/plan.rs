@@ -1,55 +1,69 @@
 //! From a camera, lights, a world and settings to shadow views: pure, and microseconds.
 //!
-//! A sun makes a view for each split, a spot likewise (one, unless `spot_splits` says more), and a point light six.
+//! A sun makes a view for each split, a spot likewise (one, unless `spot_splits` says more), and a point light six. Every
+//! view takes the same way, [`fitted_map`]: receivers → region → homography → padded rectangle → matrix → casters.
+
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 
-use glam::{DMat4, DVec3, Mat4, Vec3};
-
+use crate::allocation::{Allocation, MapLayout, Tile};
+use crate::bias::reach;
 use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
-use crate::convex::ConvexBody;
+use crate::cull::ConvexVolume;
 use crate::error::PlanError;
-use crate::few::ArrayVec;
-use crate::fit::{Outline, Slice, fit};
+use crate::finite::{finite, finite_matrix, finite_vector};
+use crate::fit::Fit;
+use crate::fit::outline::Outline;
 use crate::light::{FACES, Light, LightKind};
-use crate::light_frustum::LightFrustum;
-use crate::settings::{DepthFormat, MAX_LIGHTS, MAX_SPLITS, Scheme, Settings};
-use crate::split::split_distances;
-use crate::view::{MAX_VIEWS, MapLayout, ShadowView, Tile, arrange, tile_sizes};
+use crate::light_frustum::{LightFrustum, Pyramid};
+use crate::light_projection::LightProjection;
+use crate::reach::Reach;
+use crate::receivers::{Receivers, ViewInput};
+use crate::rectangle::Rectangle;
+use crate::settings::{MAX_LIGHTS, Select, Settings};
+use crate::split::{Splits, split_distances, spot_splits};
+use crate::view::ShadowView;
+use crate::warp::Warp;
 
 /// The shadow views of one frame, and what a receiver needs to find its own.
+///
+/// A plan may be made anew for every frame with [`ShadowPlan::replan`]: it keeps its room, and its [`Allocation`] while
+/// that serves.
 #[derive(Clone, Debug)]
 pub struct ShadowPlan {
-    views: Vec<ShadowView>,
-    lights: Vec<Light>,
-    splits: ArrayVec<f64, { MAX_SPLITS + 1 }>,
-    layout: MapLayout,
+    settings: Settings,
     camera: Camera,
+    lights: Vec<Light>,
+    allocation: Allocation,
+    splits: Splits,
+    views: Vec<ShadowView>,
     /// Room to fit in.
     outline: Outline,
 }
 
 /// Plans a frame. The views come light by light, and in a light split by split or face by face.
 ///
-/// A slice in which there is nothing gets a finite view that no caster touches. Never NaN, for any finite input.
+/// A slice in which there is nothing gets a finite view that no caster touches. Nothing is NaN, for any finite input.
 ///
 /// # Errors
-/// When a setting or a light's resolution is out of range, the shadow distance ends before the camera's near, the world's box is not finite
-/// (an empty one is allowed), or there are more than [`MAX_LIGHTS`] lights.
+/// When a setting or a light's resolution is out of range, the shadow distance ends before the camera's near, the world's
+/// box is not finite (an empty one is allowed), or there are more than [`MAX_LIGHTS`] lights.
 pub fn plan(
     camera: &Camera,
     lights: &[Light],
     bounds: &Bounds,
     settings: &Settings,
 ) -> Result<ShadowPlan, PlanError> {
-    let layout = MapLayout { width: 0, height: 0, layers: 0, depth: DepthFormat::F32 };
     let mut plan = ShadowPlan {
-        views: Vec::new(),
-        lights: Vec::new(),
-        splits: ArrayVec::default(),
-        layout,
+        settings: settings.clone(),
         camera: *camera,
+        lights: Vec::new(),
+        allocation: Allocation::new(settings, &[])?,
+        splits: Splits::default(),
+        views: Vec::new(),
         outline: Outline::default(),
     };
     plan.replan(camera, lights, bounds, settings)?;
@@ -57,7 +71,8 @@ pub fn plan(
 }
 
 impl ShadowPlan {
-    /// As [`plan`], into the room that this plan already has. After an error the plan is as it was.
+    /// Plans another frame as [`plan`] does, into the room that this plan already has: it allocates nothing while lights
+    /// and settings stay the same. After an error the plan is as it was.
     ///
     /// # Errors
     /// As [`plan`].
@@ -69,86 +84,87 @@ impl ShadowPlan {
         settings: &Settings,
     ) -> Result<(), PlanError> {
         settings.validate()?;
-        if lights.len() > MAX_LIGHTS {
-            return Err(PlanError::Lights { got: lights.len(), most: MAX_LIGHTS });
+        let depths = shadowed_depths(camera, lights, bounds, settings)?;
+        if !self.allocation.serves(settings, lights) {
+            self.allocation = Allocation::new(settings, lights)?;
         }
-        let far = settings.distance.map_or(camera.far(), |distance| distance.min(camera.far()));
-        if far <= camera.near() {
-            return Err(PlanError::Distance { distance: far, near: camera.near() });
+        if self.settings != *settings {
+            self.settings.clone_from(settings);
         }
-        let empty_or_finite =
-            |aabb: &Aabb| aabb.min.is_finite() && aabb.max.is_finite() || *aabb == Aabb::EMPTY;
-        if !empty_or_finite(&bounds.world) || !bounds.objects.iter().all(empty_or_finite) {
-            return Err(PlanError::Bounds);
-        }
-        let sizes = tile_sizes(settings, lights)?;
-
-        let mut tiles = [Tile::default(); MAX_VIEWS];
-        self.layout = arrange(settings.storage, settings.depth, &sizes, &mut tiles);
         self.camera = *camera;
-        self.splits = split_distances(camera.near()..far, settings);
+        self.splits = split_distances(depths.clone(), settings);
         self.lights.clear();
         self.lights.extend_from_slice(lights);
         self.views.clear();
+        let frame = Frame { camera, bounds, settings, reach: reach(&settings.filter, &settings.bias) };
         for (index, light) in lights.iter().enumerate() {
-            let job = Job { index, light, camera, bounds, settings, tiles: &tiles };
-            match light.kind {
-                LightKind::Directional { .. } => {
-                    let splits = self.splits;
-                    self.add_splits(&job, &splits);
-                }
-                LightKind::Spot { .. } => {
-                    let splits = spot_splits(&job, camera.near()..far);
-                    self.add_splits(&job, &splits);
-                }
-                LightKind::Point { .. } => {
-                    let depths = f64::from(camera.near())..f64::from(far);
-                    (0..FACES as usize)
-                        .for_each(|face| self.add_view(&job, face, depths.clone(), depths.clone()));
-                }
-            }
+            self.add_light(&frame, index, light, depths.clone());
         }
         Ok(())
     }
 
-    /// One view for each slice between two of the distances.
-    fn add_splits(&mut self, job: &Job<'_>, splits: &[f64]) {
-        let mut faded = 0.0;
-        for (split, ends) in splits.windows(2).enumerate() {
-            // What is cross-faded out of the slice before is looked up here too.
-            self.add_view(job, split, ends[0] - faded..ends[1], ends[0]..ends[1]);
-            faded = f64::from(job.settings.blend) * (ends[1] - ends[0]);
+    /// The views of one light over these view depths.
+    fn add_light(&mut self, frame: &Frame<'_>, index: usize, light: &Light, depths: Range<f32>) {
+        let bounds = frame.bounds;
+        match light.kind() {
+            LightKind::Directional { direction } => {
+                let splits = self.splits.clone();
+                self.add_splits(frame, index, LightFrustum::sun(direction), &splits);
+            }
+            LightKind::Spot { position, direction, half_angle, range } => {
+                let pyramid = Pyramid::spot(position, direction, half_angle, range, bounds);
+                let splits = spot_splits(frame.camera, &pyramid, depths, frame.settings);
+                self.add_splits(frame, index, LightFrustum::FromApex(pyramid), &splits);
+            }
+            LightKind::Point { position, range } => {
+                let all = f64::from(depths.start)..f64::from(depths.end);
+                for face in 0..FACES as usize {
+                    let padding = frame.reach.padding(self.allocation.tiles_of(index)[face].size);
+                    let light_frustum =
+                        LightFrustum::FromApex(Pyramid::face(position, face, padding, range, bounds));
+                    self.add_view(frame, index, face, light_frustum, all.clone(), all.clone());
+                }
+            }
         }
     }
 
-    /// A view that is fitted to some depths and serves others.
-    fn add_view(&mut self, job: &Job<'_>, split: usize, fitted: Range<f64>, served: Range<f64>) {
-        let index = self.views.len();
-        let Job { light, camera, bounds, settings, tiles, .. } = *job;
-        let tile = tiles[index];
-        let light_frustum = LightFrustum::of(light.kind, split, tile.size, bounds, settings);
-        let slice = Slice { camera, depths: fitted, light_frustum, resolution: tile.size, bounds, settings };
-        let fitted = fit(&slice, &mut self.outline);
-        self.views.push(ShadowView {
-            index,
-            clip_from_world: finite_matrix(fitted.clip_from_world),
-            casters: fitted.casters,
-            light: job.index,
-            split,
-            depths: served.start as f32..served.end as f32,
-            texel_metres: finite(fitted.texel_metres),
-            depth_metres: finite(fitted.metres.end - fitted.metres.start),
-            near_metres: finite(fitted.metres.start),
-            spreads: !matches!(light.kind, LightKind::Directional { .. }),
-            inverse_weight: finite_vector(fitted.inverse_weight),
-            tile,
-            unclipped_depth: fitted.unclipped_depth,
-        });
+    /// One view for each slice between two of the distances.
+    fn add_splits(&mut self, frame: &Frame<'_>, light: usize, light_frustum: LightFrustum, splits: &[f64]) {
+        let mut faded = 0.0;
+        for (split, ends) in splits.windows(2).enumerate() {
+            // What is cross-faded out of the slice before is looked up here too.
+            let fitted = ends[0] - faded..ends[1];
+            self.add_view(frame, light, split, light_frustum, fitted, ends[0]..ends[1]);
+            faded = f64::from(frame.settings.blend) * (ends[1] - ends[0]);
+        }
     }
 
-    /// The views, light by light, and in a light split by split.
-    pub fn views(&self) -> &[ShadowView] {
-        &self.views
+    /// A view that is fitted to some view depths and serves others.
+    fn add_view(
+        &mut self,
+        frame: &Frame<'_>,
+        light: usize,
+        split: usize,
+        light_frustum: LightFrustum,
+        fitted: Range<f64>,
+        served: Range<f64>,
+    ) {
+        let index = self.views.len();
+        let tile = self.allocation.tiles()[index];
+        let place = Place { index, light, split, tile, depths: served.start as f32..served.end as f32 };
+        let input = frame.input(fitted, light_frustum, tile.size);
+        let Settings { fit, warp, .. } = *frame.settings;
+        self.views.push(shadow_view(fitted_map(fit, warp, &input, &mut self.outline), place));
+    }
+
+    /// The settings that the plan was made with.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The camera that the plan was made for.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
     }
 
     /// The lights, in the order they were given.
@@ -156,68 +172,114 @@ impl ShadowPlan {
         &self.lights
     }
 
-    /// C_0 … C_m of suns, metres. A spot's are in its views.
+    /// Which tile each view has. It stays the same from frame to frame while lights and sizes do.
+    pub fn allocation(&self) -> &Allocation {
+        &self.allocation
+    }
+
+    /// How large the texture is that holds the views' tiles.
+    pub fn layout(&self) -> MapLayout {
+        self.allocation.layout()
+    }
+
+    /// The split distances C_0 … C_m of suns, view depths in metres. A spot's are in its views.
     pub fn splits(&self) -> &[f64] {
         &self.splits
     }
 
-    /// How the views' tiles lie in one texture.
-    pub fn layout(&self) -> MapLayout {
-        self.layout
-    }
-
-    /// The camera the plan was made for.
-    pub fn camera(&self) -> &Camera {
-        &self.camera
+    /// The views, light by light, and in a light split by split or face by face.
+    pub fn views(&self) -> &[ShadowView] {
+        &self.views
     }
 }
 
-/// What all views of a light are made from.
-struct Job<'a> {
-    index: usize,
-    light: &'a Light,
+/// What all views of a frame are made from.
+struct Frame<'a> {
     camera: &'a Camera,
     bounds: &'a Bounds,
     settings: &'a Settings,
-    tiles: &'a [Tile],
+    reach: Reach,
 }
 
-/// Cuts the view depths that a spot reaches; all of them where it reaches nothing.
-fn spot_splits(job: &Job<'_>, depths: Range<f32>) -> ArrayVec<f64, { MAX_SPLITS + 1 }> {
-    let Job { light, camera, bounds, settings, .. } = *job;
-    let all = f64::from(depths.start)..f64::from(depths.end);
-    let light_frustum = LightFrustum::of(light.kind, 0, settings.resolution, bounds, settings);
-    let (eye, forward) = (camera.eye().as_dvec3(), camera.forward().as_dvec3());
-    let mut reached = f64::INFINITY..f64::NEG_INFINITY;
-    if let LightFrustum::Spread(pyramid) = light_frustum {
-        let body = ConvexBody::of_slice(&camera.slice_corners(all)).clipped_by_all(&pyramid.planes());
-        for depth in body.corners().map(|corner| forward.dot(corner - eye)) {
-            reached = reached.start.min(depth)..reached.end.max(depth);
-        }
+impl<'a> Frame<'a> {
+    /// What one view is made from.
+    fn input(&self, depths: Range<f64>, light_frustum: LightFrustum, resolution: u32) -> ViewInput<'a> {
+        let Self { camera, bounds, settings, reach } = *self;
+        let is_shared = settings.select == Select::Map && !light_frustum.is_face();
+        let flattens_casters = settings.flattens_casters();
+        ViewInput { camera, depths, light_frustum, resolution, bounds, reach, flattens_casters, is_shared }
     }
-    let from = (reached.start as f32).clamp(depths.start, depths.end);
-    let to = (reached.end as f32).clamp(depths.start, depths.end);
-    let reached = if from < to { from..to } else { depths };
-    // Distances that were given by hand are a sun's.
-    let scheme = if settings.scheme == Scheme::Manual { Scheme::Practical } else { settings.scheme };
-    let Settings { lambda, split_bias, near, .. } = *settings;
-    let splits = settings.spot_splits;
-    split_distances(reached, &Settings { splits, scheme, lambda, split_bias, near, ..Settings::default() })
 }
 
-/// The nearest f32, and the largest one instead of infinity.
-fn finite(value: f64) -> f32 {
-    value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
+/// A map that is fitted to its receivers, before it is rounded to a [`ShadowView`].
+struct FittedMap {
+    projection: LightProjection,
+    texel_metres: f64,
+    casters: ConvexVolume,
+    unclipped_depth: bool,
 }
 
-/// As [`finite`], and 0 for what is no number.
-fn finite_vector(vector: DVec3) -> Vec3 {
-    Vec3::from_array(vector.to_array().map(|entry| if entry.is_nan() { 0.0 } else { finite(entry) }))
+/// The whole way of one view, from what it is made from to its matrix and its casters.
+fn fitted_map(fit: Fit, warp: Warp, input: &ViewInput<'_>, outline: &mut Outline) -> FittedMap {
+    let receivers = Receivers::of(input);
+    let (region, policy) = fit.region(input, &receivers, outline);
+    let homography = warp.homography(input, &region);
+    let Rectangle { min, max, texel_metres } = region.rectangle(input, &homography);
+    let depths = region.depths.resolve(input, &region.space, texel_metres);
+    let projection = LightProjection { space: region.map_space(&homography), homography, min, max, depths };
+    let casters = policy.volume(input, &region, &projection, texel_metres);
+    FittedMap { projection, texel_metres, casters, unclipped_depth: policy.flattens(input) }
 }
 
-/// Entries beyond f32 become its largest: such a map is useless, but not NaN.
-fn finite_matrix(matrix: DMat4) -> Mat4 {
-    Mat4::from_cols_array(
-        &matrix.to_cols_array().map(|entry| if entry.is_nan() { 0.0 } else { finite(entry) }),
-    )
+/// Which view of the frame a map is.
+struct Place {
+    index: usize,
+    light: usize,
+    split: usize,
+    tile: Tile,
+    /// The view depths that it serves.
+    depths: Range<f32>,
+}
+
+/// The view that draws a map.
+fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
+    let FittedMap { projection, texel_metres, casters, unclipped_depth } = map;
+    let Place { index, light, split, tile, depths } = place;
+    ShadowView {
+        index,
+        key: None,
+        clip_from_world: finite_matrix(projection.clip_from_world()),
+        casters,
+        light,
+        split,
+        depths,
+        texel_metres: finite(texel_metres),
+        depth_metres: finite(projection.depths.end - projection.depths.start),
+        near_metres: finite(projection.depths.start),
+        rays: projection.space.rays(),
+        inverse_weight: finite_vector(projection.inverse_weight()),
+        tile,
+        unclipped_depth,
+    }
+}
+
+/// The view depths that have shadows, or why there can be no plan.
+fn shadowed_depths(
+    camera: &Camera,
+    lights: &[Light],
+    bounds: &Bounds,
+    settings: &Settings,
+) -> Result<Range<f32>, PlanError> {
+    if lights.len() > MAX_LIGHTS {
+        return Err(PlanError::Lights { got: lights.len(), max: MAX_LIGHTS });
+    }
+    let far = settings.distance.map_or(camera.far(), |distance| distance.min(camera.far()));
+    if far <= camera.near() {
+        return Err(PlanError::Distance { distance: far, near: camera.near() });
+    }
+    let empty_or_finite = |aabb: &Aabb| aabb.min.is_finite() && aabb.max.is_finite() || *aabb == Aabb::EMPTY;
+    if !empty_or_finite(&bounds.world) || !bounds.objects.iter().all(empty_or_finite) {
+        return Err(PlanError::Bounds);
+    }
+    Ok(camera.near()..far)
 }

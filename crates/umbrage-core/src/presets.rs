@@ -6,7 +6,9 @@
 //! the same bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
 
 use crate::filter::{Disc, Filter, Footprint, Pcss};
-use crate::settings::{Bias, CasterFaces, DepthFormat, Fit, Scheme, Select, Settings, Storage, Warp};
+use crate::fit::Fit;
+use crate::settings::{Bias, CasterFaces, DepthFormat, Scheme, Select, Settings, Storage};
+use crate::warp::Warp;
 
 /// Settings with a name and a source.
 #[derive(Clone, Copy, Debug)]
@@ -312,7 +314,7 @@ fn source() -> Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::MapLayout;
+    use crate::Allocation;
 
     #[test]
     fn every_preset_is_valid_and_its_name_says_its_maps() {
@@ -342,7 +344,7 @@ mod tests {
                 Some((_, "64mib")) => 64,
                 _ => 16,
             };
-            let bytes = MapLayout::of_sun(&(preset.settings)()).bytes();
+            let bytes = Allocation::of_sun(&(preset.settings)()).layout().bytes();
             assert!(bytes <= mib << 20 && bytes > mib << 19, "{}: {bytes} bytes", preset.name);
         }
     }
@@ -358,7 +360,7 @@ mod tests {
             ("mjp", 64, 250.0),
         ] {
             let settings = Preset::named(name).map(|preset| (preset.settings)()).expect("a preset");
-            assert_eq!(MapLayout::of_sun(&settings).bytes(), mib << 20, "{name}");
+            assert_eq!(Allocation::of_sun(&settings).layout().bytes(), mib << 20, "{name}");
             assert_eq!(settings.distance.unwrap_or(f32::INFINITY), reach, "{name}");
         }
     }

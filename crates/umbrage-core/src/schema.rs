@@ -14,7 +14,7 @@ mod group;
 pub(crate) mod maps;
 pub(crate) mod shade;
 pub(crate) mod splits;
-mod values;
+pub(crate) mod values;
 
 pub use group::Group;
 pub use values::{Choice, Values};

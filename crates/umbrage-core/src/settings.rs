@@ -10,7 +10,9 @@ use crate::SettingsError;
 use crate::check::{check, check_given};
 use crate::contact::Contact;
 use crate::filter::Filter;
+use crate::fit::Fit;
 use crate::schema;
+use crate::warp::Warp;
 
 /// The most splits a light can have (Ferko 2010, listing 4.13).
 pub const MAX_SPLITS: usize = 9;
@@ -122,33 +124,6 @@ pub enum Storage {
     Array,
     /// Side by side in one layer.
     Atlas,
-}
-
-/// What a view's box is fitted to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Fit {
-    /// The part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2).
-    Scene,
-    /// The whole slice ("scene-independent").
-    View,
-    /// A sphere around the slice, moved by whole texels; for a spot, its whole cone: edges hold still under any camera
-    /// motion.
-    Stable,
-}
-
-/// How a map's texels are spent on what is near the eye. Works in every split, and for suns and spots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Warp {
-    /// Evenly.
-    None,
-    /// As the camera's own perspective does (Stamminger & Drettakis 2002).
-    Psm,
-    /// With the least largest error over the depth (Wimmer, Scherzer & Purgathofer 2004).
-    Lispsm,
-    /// Four fifths of the map for the nearest part (Martin & Tan 2004).
-    Tsm,
 }
 
 /// How a receiver finds its view.

@@ -6,25 +6,41 @@
 //!
 //! Space: view depth, positive metres from the eye.
 
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
-use crate::few::ArrayVec;
+use arrayvec::ArrayVec;
+
+use crate::camera::Camera;
+use crate::convex::ConvexBody;
+use crate::light_frustum::Pyramid;
 use crate::settings::{MAX_SPLITS, Scheme, Settings};
 
 /// Splits are at least this share of the whole depth range deep, so that none is empty.
 const MIN_SHARE: f64 = 1e-6;
 
-/// The distances C_0 … C_m in metres, rising, C_0 = `depths.start` and C_m = `depths.end` exactly.
+/// The split distances C_0 … C_m: view depths in metres, rising. Reads as a slice.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Splits(ArrayVec<f64, { MAX_SPLITS + 1 }>);
+
+impl Deref for Splits {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.0
+    }
+}
+
+/// Returns the distances C_0 … C_m of a sun; C_0 is `depths.start` and C_m is `depths.end` exactly.
 ///
 /// With `settings.near` (a virtual near) the inner distances are those of a range that starts there; C_0 stays, so that
 /// what is nearer still gets shadows. `depths` must be finite with 0 < start < end and `settings` valid.
-pub fn split_distances(depths: Range<f32>, settings: &Settings) -> ArrayVec<f64, { MAX_SPLITS + 1 }> {
+pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Splits {
     let (near, far) = (f64::from(depths.start), f64::from(depths.end));
     let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
     let count = settings.splits;
-    let least = (far - near) * MIN_SHARE;
-    let mut distances = ArrayVec::default();
-    let mut fits = distances.push(near);
+    let min_depth = (far - near) * MIN_SHARE;
+    let mut distances = ArrayVec::new();
+    let mut fits = distances.try_push(near).is_ok();
     let mut previous = near;
     for i in 1..count {
         let wanted = match settings.scheme {
@@ -33,14 +49,38 @@ pub fn split_distances(depths: Range<f32>, settings: &Settings) -> ArrayVec<f64,
             Scheme::Practical => practical(from, far, i, count, f64::from(settings.lambda)),
             Scheme::Manual => f64::from(settings.manual[i as usize - 1]),
         } + f64::from(settings.split_bias);
-        let room_after = least * f64::from(count - i);
-        let distance = wanted.max(previous + least).min(far - room_after);
-        fits &= distances.push(distance);
+        let room_after = min_depth * f64::from(count - i);
+        let distance = wanted.max(previous + min_depth).min(far - room_after);
+        fits &= distances.try_push(distance).is_ok();
         previous = distance;
     }
-    fits &= distances.push(far);
+    fits &= distances.try_push(far).is_ok();
     debug_assert!(fits, "valid settings have at most MAX_SPLITS splits");
-    distances
+    Splits(distances)
+}
+
+/// Returns the distances of a spot, which cut the view depths that its pyramid reaches; all of them where it reaches
+/// nothing.
+pub(crate) fn spot_splits(
+    camera: &Camera,
+    pyramid: &Pyramid,
+    depths: Range<f32>,
+    settings: &Settings,
+) -> Splits {
+    let all = f64::from(depths.start)..f64::from(depths.end);
+    let (eye, forward) = (camera.eye().as_dvec3(), camera.forward().as_dvec3());
+    let body = ConvexBody::of_slice(&camera.slice_corners(all)).clipped_by_all(&pyramid.planes());
+    let mut reached = f64::INFINITY..f64::NEG_INFINITY;
+    for depth in body.corners().map(|corner| forward.dot(corner - eye)) {
+        reached = reached.start.min(depth)..reached.end.max(depth);
+    }
+    let from = (reached.start as f32).clamp(depths.start, depths.end);
+    let to = (reached.end as f32).clamp(depths.start, depths.end);
+    let reached = if from < to { from..to } else { depths };
+    // Distances that were given by hand are a sun's.
+    let scheme = if settings.scheme == Scheme::Manual { Scheme::Practical } else { settings.scheme };
+    let Settings { lambda, split_bias, near, spot_splits: splits, .. } = *settings;
+    split_distances(reached, &Settings { splits, scheme, lambda, split_bias, near, ..Settings::default() })
 }
 
 fn uniform(near: f64, far: f64, i: u32, count: u32) -> f64 {

@@ -7,19 +7,19 @@
 
 use std::ops::Range;
 
-use crate::{Camera, Projection};
+use crate::camera::{Camera, Projection};
 
 /// A sphere whose centre lies on the view axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere {
-    /// View depth of the centre, metres.
+pub(crate) struct Sphere {
+    /// The view depth of the centre, metres.
     pub depth: f64,
-    /// Metres.
+    /// The radius, metres.
     pub radius: f64,
 }
 
 /// The smallest sphere around the slice of `camera` between two view depths.
-pub fn bounding_sphere(camera: &Camera, depths: Range<f64>) -> Sphere {
+pub(crate) fn bounding_sphere(camera: &Camera, depths: Range<f64>) -> Sphere {
     let (n, f) = (depths.start, depths.end);
     match camera.projection() {
         Projection::Perspective { .. } => {
@@ -44,14 +44,14 @@ pub fn bounding_sphere(camera: &Camera, depths: Range<f64>) -> Sphere {
 
 /// The next multiple of a sixteenth of the power of two at or below `size`: rounds up by at most 6 %, and rounding
 /// errors of `size` do not reach the result.
-pub fn quantise_up(size: f64) -> f64 {
+pub(crate) fn quantise_up(size: f64) -> f64 {
     let step = size.log2().floor().exp2() / 16.0;
     // Sizes that differ by rounding alone must not fall on two sides of a step.
     ((size / step - 1e-6).ceil() * step).max(f64::MIN_POSITIVE)
 }
 
 /// The nearest whole multiple of `texel`.
-pub fn snap(coordinate: f64, texel: f64) -> f64 {
+pub(crate) fn snap(coordinate: f64, texel: f64) -> f64 {
     (coordinate / texel).round() * texel
 }
 

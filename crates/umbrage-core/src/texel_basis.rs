@@ -10,14 +10,14 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::ShadowView;
+use crate::view::ShadowView;
 
-/// The texels of a view at a point.
+/// How the texels of a view lie at a point of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TexelBasis {
-    /// One side of a texel across the light, metres of world space: a texel to the right on the map.
+    /// The side of a texel to the right on the map: a vector of world space across the light, metres.
     pub right: Vec3,
-    /// The other: a texel downward.
+    /// The side of a texel downward on the map.
     pub down: Vec3,
     /// How much stored depth grows a metre.
     depth: Vec3,
@@ -26,7 +26,7 @@ pub struct TexelBasis {
 }
 
 impl ShadowView {
-    /// Its texels at a world-space point that lies before the light.
+    /// Returns how its texels lie at a point of the world, which must lie before the light.
     pub fn texel_basis_at(&self, point: Vec3) -> TexelBasis {
         let m = &self.clip_from_world;
         let [x, y, z, w] = [0, 1, 2, 3].map(|i| m.row(i));
@@ -49,23 +49,23 @@ impl ShadowView {
 }
 
 impl TexelBasis {
-    /// The longer side, metres.
+    /// Returns the longer side of a texel, metres.
     pub fn texel_metres(&self) -> f32 {
         self.right.length().max(self.down.length())
     }
 
-    /// How far a step in the world goes on the map, texels to the right and downward.
+    /// Returns how far a step in the world goes on the map, in texels to the right and downward.
     pub fn texels(&self, step: Vec3) -> Vec2 {
         Vec2::new(self.right_gradient.dot(step), self.down_gradient.dot(step))
     }
 
-    /// How far along its unit normal a plane must be moved so that its point here comes to lie before all of the plane
+    /// Returns how far along its unit normal a plane must be moved so that its point here comes to lie before all of the plane
     /// within `texels` to every side, as the light sees it: metres. Along the light that is the distance over the cosine.
     pub fn normal_offset(&self, normal: Vec3, texels: f32) -> f32 {
         texels * (normal.dot(self.right).abs() + normal.dot(self.down).abs())
     }
 
-    /// The same where one stored depth is compared with all of these texels, however the view scales depth.
+    /// Returns the same where one stored depth is compared with all of these texels, however the view scales depth.
     pub fn normal_offset_over_stored(&self, normal: Vec3, to_light: Vec3, texels: f32) -> f32 {
         let Self { depth, right_gradient, down_gradient, .. } = *self;
         let across = right_gradient.cross(down_gradient).length();
@@ -74,12 +74,12 @@ impl TexelBasis {
         texels * grown / (across * self.rise(to_light)).max(f32::MIN_POSITIVE)
     }
 
-    /// How much stored depth falls a metre toward the light, in its unit direction.
+    /// Returns how much stored depth falls a metre toward the light, in its unit direction.
     pub fn rise(&self, to_light: Vec3) -> f32 {
         -self.depth.dot(to_light)
     }
 
-    /// How much stored depth grows on a plane from a texel to the next, to the right and downward. `normal` and `to_light`
+    /// Returns how much stored depth grows on a plane from a texel to the next, to the right and downward. `normal` and `to_light`
     /// are unit. Planes whose tangent to the light is more than `steepest` count as that steep, and those turned away as
     /// flat: what they show is the shadow of their other side.
     pub fn slope(&self, normal: Vec3, to_light: Vec3, steepest: f32) -> Vec2 {

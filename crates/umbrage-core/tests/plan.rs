@@ -4,8 +4,8 @@
 mod any;
 #[path = "plan/extremes.rs"]
 mod extremes;
-#[path = "plan/lamps.rs"]
-mod lamps;
+#[path = "plan/punctual.rs"]
+mod punctual;
 #[path = "plan/steady.rs"]
 mod steady;
 
@@ -28,7 +28,7 @@ proptest! {
     ) {
         let bounds = world();
         let settings = Settings { fit, warp, splits, lambda, unclipped_depth, ..Settings::default() };
-        let along = light.normalize_or_zero();
+        let direction = light.normalize_or_zero();
         let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
         for (object, share, toward_light) in shares {
             let receiver = point_in(&bounds.objects[object], share);
@@ -39,7 +39,7 @@ proptest! {
             let split = plan.splits()[1..splits as usize].iter().filter(|c| depth >= **c as f32).count();
             let view = &plan.views()[split];
             prop_assert!(view.covers(receiver.as_dvec3(), 1e-5), "{receiver} at depth {depth} is outside {view:?}");
-            let caster = receiver - along * toward_light;
+            let caster = receiver - direction * toward_light;
             prop_assert!(view.casters.contains(caster), "a caster at {caster} of {receiver} is left out of {view:?}");
             // A caster of the world is drawn: before the far plane, and before the near one only if that is allowed.
             let lies_in_world = bounds.world.min.cmple(caster).all() && bounds.world.max.cmpge(caster).all();

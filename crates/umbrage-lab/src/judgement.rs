@@ -34,7 +34,7 @@ impl Judgement {
         let texel_metres = texel_metres(plan, settings, light, truth);
         let claim = Claim { visibility, texel_metres: &texel_metres };
         // Lamps' views are cut elsewhere, or not at all.
-        let is_sun = matches!(plan.lights()[light].kind, LightKind::Directional { .. });
+        let is_sun = matches!(plan.lights()[light].kind(), LightKind::Directional { .. });
         let cuts = if is_sun { plan.splits() } else { &[] };
         let counts = TruthCounts {
             pixels: truth.judged(),

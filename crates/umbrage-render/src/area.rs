@@ -62,7 +62,7 @@ impl Area {
         let half_angle = 0.5 * self.degrees.to_radians();
         let place = place(sample, self.samples);
         let aside = place * half_angle;
-        let moved = match light.kind {
+        let moved = match light.kind() {
             LightKind::Directional { direction } => {
                 let (right, up) = direction.any_orthonormal_pair();
                 let aside = (right * place.x + up * place.y) * half_angle.tan();
@@ -76,7 +76,8 @@ impl Area {
             LightKind::Point { position, range } => Light::point(position + aside, range + aside.length())?,
         };
         // A sample is a point: the samples are the size.
-        Ok(Light { resolution: light.resolution, size: Some(0.0), ..moved })
+        let moved = moved.with_size(0.0)?;
+        Ok(light.resolution().map_or(moved, |texels| moved.with_resolution(texels)))
     }
 }
 
@@ -219,7 +220,7 @@ mod tests {
             let turned = area.moved(&sun, sample).unwrap().direction_from(Vec3::ZERO);
             let angle = turned.angle_between(sun.direction_from(Vec3::ZERO)).to_degrees();
             assert!(angle <= 5.001, "{angle}°");
-            let LightKind::Point { position, .. } = area.moved(&lamp, sample).unwrap().kind else {
+            let LightKind::Point { position, .. } = area.moved(&lamp, sample).unwrap().kind() else {
                 panic!("a point")
             };
             assert!(position.distance(Vec3::new(1.0, 2.0, 3.0)) <= 5f32.to_radians() + 1e-6, "{position}");

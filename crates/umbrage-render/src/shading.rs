@@ -245,7 +245,7 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
     for (slot, lamp) in lamps.iter_mut().zip(&frame.lamps) {
         *slot = lamp_uniform(lamp);
     }
-    let sun = frame.lamps.iter().find(|lamp| matches!(lamp.light.kind, LightKind::Directional { .. }));
+    let sun = frame.lamps.iter().find(|lamp| matches!(lamp.light.kind(), LightKind::Directional { .. }));
     SceneUniform {
         clip_from_world,
         world_from_clip: clip_from_world.inverse(),
@@ -275,7 +275,7 @@ fn uniform_of(frame: &Frame) -> SceneUniform {
 fn lamp_uniform(lamp: &Lamp) -> LampUniform {
     let Lamp { light, colour, cone: [inner, outer] } = *lamp;
     let everywhere = LampUniform { colour, cone_scale: 0.0, cone_offset: 1.0, ..LampUniform::default() };
-    match light.kind {
+    match light.kind() {
         LightKind::Spot { position, direction, range, .. } => {
             // As KHR_lights_punctual has it.
             let cone_scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);

@@ -64,7 +64,7 @@ impl Viewer {
         let Some(plan) = stage.plan(edited).filter(|plan| !plan.views().is_empty()) else { return };
         let is_cut_by_lambda = settings.scheme == Scheme::Practical;
         // What is cut is the view of suns; lamps have depths of their own.
-        let has_sun = plan.lights().iter().any(|light| matches!(light.kind, LightKind::Directional { .. }));
+        let has_sun = plan.lights().iter().any(|light| matches!(light.kind(), LightKind::Directional { .. }));
         let lambda = has_sun
             .then(|| split_plot::show(ui, plan.splits(), is_cut_by_lambda.then_some(settings.lambda)))
             .flatten();

@@ -2,7 +2,7 @@
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan};
+use umbrage_core::{Light, LightKind, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan};
 
 #[derive(Clone, Copy, Debug, ShaderType)]
 struct GpuView {
@@ -111,7 +111,7 @@ fn sides([width, height]: [u32; 2]) -> Vec2 {
 
 fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) -> GpuLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
-    let place = match light.kind {
+    let place = match light.kind() {
         LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position.extend(1.0),
         LightKind::Directional { direction } => (-direction).extend(0.0),
     };
@@ -119,7 +119,7 @@ fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) ->
         place,
         first_view: views.next().map_or(0, |view| view.index as u32),
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
-        is_cube: u32::from(matches!(light.kind, LightKind::Point { .. })),
+        is_cube: u32::from(matches!(light.kind(), LightKind::Point { .. })),
         size: light.half_size(settings.filter.light_size().unwrap_or_default()),
     }
 }
@@ -135,7 +135,10 @@ fn view(plan: &ShadowPlan, view: &umbrage_core::ShadowView) -> GpuView {
         clip_depth_end: plan.camera().clip_depth(view.depths.end),
         depth_metres: view.depth_metres,
         near_metres: view.near_metres,
-        spreads: u32::from(view.spreads),
+        spreads: match view.rays {
+            Rays::Parallel => 0,
+            Rays::FromApex => 1,
+        },
         inverse_weight: view.inverse_weight,
     }
 }

@@ -118,7 +118,7 @@ impl Lookup<'_> {
         if blend == 0.0 {
             return own;
         }
-        let is_cube = matches!(self.plan.lights()[view.light].kind, LightKind::Point { .. });
+        let is_cube = matches!(self.plan.lights()[view.light].kind(), LightKind::Point { .. });
         let share = match self.settings.select {
             Select::Depth | Select::ClipDepth => {
                 (view.depths.end - receiver.depth) / ((view.depths.end - view.depths.start) * blend)
@@ -172,7 +172,7 @@ impl<'a> Receiver<'a> {
 
     /// The view that serves it.
     fn view(&self) -> Option<&'a ShadowView> {
-        if let LightKind::Point { position, .. } = self.plan.lights()[self.light].kind {
+        if let LightKind::Point { position, .. } = self.plan.lights()[self.light].kind() {
             return self.views().nth(face(self.position - position));
         }
         let ends = || self.views().take(self.views().count().saturating_sub(1)).map(|view| view.depths.end);

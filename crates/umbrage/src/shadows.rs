@@ -1,8 +1,8 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Bounds, Camera, DepthLayer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan, ShadowView,
-    plan,
+    Allocation, Bounds, Camera, DepthLayer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan,
+    ShadowView, plan,
 };
 
 use crate::bindings;
@@ -46,7 +46,7 @@ impl Shadows {
     /// When a setting is out of range, or the maps exceed the adapter's limits.
     pub fn new(device: &wgpu::Device, settings: Settings) -> Result<Self, ShadowError> {
         settings.validate()?;
-        let (layout, views) = (MapLayout::of_sun(&settings), settings.splits);
+        let (layout, views) = (Allocation::of_sun(&settings).layout(), settings.splits);
         Self::with_layout(device, settings, layout, views)
     }
 
@@ -63,7 +63,7 @@ impl Shadows {
             return Err(ShadowError::Lights { got: lights.len(), most: MAX_LIGHTS });
         }
         settings.validate()?;
-        let layout = MapLayout::of_lights(&settings, lights)?;
+        let layout = Allocation::new(&settings, lights)?.layout();
         let views = lights.iter().map(|light| light.views(&settings)).sum();
         Self::with_layout(device, settings, layout, views)
     }
@@ -137,9 +137,14 @@ impl Shadows {
         lights: &[Light],
         bounds: &Bounds,
     ) -> Result<(), PlanError> {
-        if !self.has_room_for(lights)? {
+        let has_room = if plan.allocation().serves(&self.settings, lights) {
+            plan.allocation().tiles().len() <= self.views as usize && self.maps.layout.holds(&plan.layout())
+        } else {
+            self.has_room_for(lights)?
+        };
+        if !has_room {
             let got = lights.iter().map(|light| light.views(&self.settings)).sum();
-            return Err(PlanError::Room { got, most: self.views });
+            return Err(PlanError::Room { got, max: self.views });
         }
         plan.replan(camera, lights, bounds, &self.settings)
     }
@@ -150,7 +155,7 @@ impl Shadows {
     /// When a light's resolution is out of range.
     pub fn has_room_for(&self, lights: &[Light]) -> Result<bool, PlanError> {
         let views: u32 = lights.iter().map(|light| light.views(&self.settings)).sum();
-        Ok(views <= self.views && self.maps.layout.holds(&MapLayout::of_lights(&self.settings, lights)?))
+        Ok(views <= self.views && self.maps.layout.holds(&Allocation::new(&self.settings, lights)?.layout()))
     }
 
     /// Whether there is room for just these lights: no texel more, and none less.
@@ -158,7 +163,7 @@ impl Shadows {
     /// # Errors
     /// When a light's resolution is out of range.
     pub fn is_as_large_as(&self, lights: &[Light]) -> Result<bool, PlanError> {
-        let wanted = MapLayout::of_lights(&self.settings, lights)?;
+        let wanted = Allocation::new(&self.settings, lights)?.layout();
         Ok(self.has_room_for(lights)? && self.maps.layout == wanted)
     }
 

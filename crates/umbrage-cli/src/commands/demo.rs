@@ -145,7 +145,7 @@ fn column(
 }
 
 fn main_rays(plan: &ShadowPlan) -> Option<LightKind> {
-    plan.lights().first().map(|light| light.kind)
+    plan.lights().first().map(|light| light.kind())
 }
 
 fn views_text(plan: &ShadowPlan) -> String {

@@ -12,26 +12,27 @@
 
 use std::ops::Range;
 
-/// Pixels a texel, without the receiver's tilt, where the map has as many texels a side as the picture pixels.
+/// The extent of a texel in pixels, without the receiver's tilt, where the map has as many texels a side as the picture
+/// has pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerspectiveError {
-    /// Across the view, m_s.
+    /// The extent across the view: m_s.
     pub across: f64,
-    /// Along the view, m_t times 2 tan θ.
+    /// The extent along the view: m_t times 2 tan θ.
     pub along: f64,
 }
 
 impl PerspectiveError {
-    /// How many times the picture's pixels a map needs as texels, so that neither of these errors is more than 1; times
+    /// Returns how many times the picture's pixels a map needs as texels, so that neither of these errors is more than 1; times
     /// 2 tan θ.
     pub fn storage_factor(self) -> f64 {
         self.across * self.along
     }
 }
 
-/// The error at view depth `at` of one map over `depths`: m_s = (z'/f') (f/z), m_t · 2 tan θ = (f − n) z'² / (n' f' z).
+/// Returns the error at view depth `at` of one map over `depths`: m_s = (z'/f') (f/z), m_t · 2 tan θ = (f − n) z'² / (n' f' z).
 ///
-/// 0 < n < f, and `warp_near` is at least n: infinity is a uniform map. With less, the near end would be the wider one.
+/// It holds for 0 < n < f, and `warp_near` is at least n: infinity is a uniform map. With less, the near end would be the wider one.
 pub fn perspective_error(depths: Range<f64>, warp_near: f64, at: f64) -> PerspectiveError {
     let Range { start: near, end: far } = depths;
     // z'/n' and f'/n', which stay finite for a uniform map.
@@ -43,20 +44,20 @@ pub fn perspective_error(depths: Range<f64>, warp_near: f64, at: f64) -> Perspec
     }
 }
 
-/// The largest error across and the largest along, over all `depths`; at its ends, for both are convex over depth.
+/// Returns the largest error across and the largest along, over all `depths`; at its ends, for both are convex over depth.
 pub fn largest_perspective_error(depths: Range<f64>, warp_near: f64) -> PerspectiveError {
     let first = perspective_error(depths.clone(), warp_near, depths.start);
     let last = perspective_error(depths.clone(), warp_near, depths.end);
     PerspectiveError { across: first.across.max(last.across), along: first.along.max(last.along) }
 }
 
-/// The n' whose errors along the view are the same at both ends, and the least: n + √(n f), that of LiSPSM
+/// Returns the n' whose errors along the view are the same at both ends, and the least: n + √(n f), that of LiSPSM
 /// (Wimmer et al. 2004), metres.
 pub fn balanced_warp_near(depths: Range<f64>) -> f64 {
     depths.start + (depths.start * depths.end).sqrt()
 }
 
-/// How many times the picture's pixels the maps over C_0 … C_m need as texels, so that no error is more than 1; times
+/// Returns how many times the picture's pixels the maps over C_0 … C_m need as texels, so that no error is more than 1; times
 /// 2 tan θ. The maps have equally many texels, so that the worst part decides: m times the largest r (r − 1), with
 /// r = C_{i+1} / C_i.
 ///
@@ -71,7 +72,7 @@ pub fn storage_factor(splits: &[f64], warped: bool) -> f64 {
     parts.len() as f64 * parts.map(of_part).fold(0.0, f64::max)
 }
 
-/// The least that any map can do, and what [`storage_factor`] comes to with ever more logarithmic splits: ln(f / n),
+/// Returns the least that any map can do, and what [`storage_factor`] comes to with ever more logarithmic splits: ln(f / n),
 /// times 2 tan θ as there. Reached by texels whose size grows in proportion to depth.
 pub fn ideal_storage_factor(depths: Range<f64>) -> f64 {
     (depths.end / depths.start).ln()

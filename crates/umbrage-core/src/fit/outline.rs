@@ -1,9 +1,11 @@
 //! The convex outline of everything that a map must hold, seen from the light.
 //!
-//! Andrew's monotone chain (1979), a batch at a time: most boxes lie within the outline of those before them, and are
-//! told apart before any corner of theirs is sorted. Space: x and y of light space.
+//! It grows a batch at a time: most boxes lie within the outline of those before them, and are told apart before any
+//! corner of theirs is sorted. Space: x and y of light space.
 
 use glam::DVec2;
+
+use crate::hull::convex_hull;
 
 /// Points gathered before the outline is drawn anew: sorting them costs about what testing against the outline saves.
 const BATCH: usize = 64;
@@ -17,7 +19,7 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    /// Forgets everything.
+    /// Forgets all points, and keeps the room that they had.
     pub fn clear(&mut self) {
         self.ring.clear();
         self.fresh.clear();
@@ -32,7 +34,7 @@ impl Outline {
             })
     }
 
-    /// Grows to hold `point`.
+    /// Adds a point, which the outline then holds.
     pub fn add(&mut self, point: DVec2) {
         self.fresh.push(point);
         if self.fresh.len() >= BATCH.max(self.ring.len()) {
@@ -60,32 +62,6 @@ impl Outline {
 /// The sides of a closed polygon.
 fn edges(ring: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
     ring.iter().copied().zip(ring.iter().copied().cycle().skip(1))
-}
-
-/// Sorts `points` and writes the corners of their convex hull to `hull`, counter-clockwise. Returns how many they are.
-/// `hull` has room for twice the points.
-pub(crate) fn convex_hull(points: &mut [DVec2], hull: &mut [DVec2]) -> usize {
-    points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    let mut len = 0;
-    let mut chain = |len: &mut usize, base: usize, point: DVec2| {
-        while *len >= base + 2 && (hull[*len - 1] - hull[*len - 2]).perp_dot(point - hull[*len - 2]) <= 0.0 {
-            *len -= 1;
-        }
-        hull[*len] = point;
-        *len += 1;
-    };
-    for &point in points.iter() {
-        chain(&mut len, 0, point);
-    }
-    if points.len() < 2 {
-        return len;
-    }
-    let base = len - 1;
-    for &point in points.iter().rev().skip(1) {
-        chain(&mut len, base, point);
-    }
-    // The first point comes again at the end.
-    len - 1
 }
 
 #[cfg(test)]

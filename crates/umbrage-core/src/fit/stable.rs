@@ -1,34 +1,37 @@
-//! Fit to a sphere around the slice, moved by whole texels: under any camera motion the map keeps its size, and every
-//! texel stays the same piece of the world, with the same depth range and the same casters.
+//! Fit to a sphere around the slice, moved by whole texels: under any motion of the camera the map keeps its size, and
+//! every texel stays the same piece of the world, with the same depth range and the same casters.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
-use super::{Fitted, LEAST_SIZE, Map, Slice, bounds_of};
-use crate::convex::ConvexBody;
+use crate::casters::CasterPolicy;
+use crate::depth_range::{DepthRange, margin, of_world};
+use crate::light_projection::MIN_SIZE;
+use crate::receivers::{Receivers, ViewInput};
+use crate::rectangle::Rectangle;
+use crate::region::{Area, Region};
 use crate::stabilise::{bounding_sphere, quantise_up, snap};
-use crate::warp::Warp;
 
-pub(crate) fn fit(slice: &Slice<'_>, receivers: &ConvexBody) -> Fitted {
+pub(super) fn region<'a>(input: &ViewInput<'_>, receivers: &'a Receivers) -> (Region<'a>, CasterPolicy) {
     // Axes from the light alone: a camera's up would turn the texels with the camera.
-    let light = slice.light_frustum.space(glam::DVec3::Y);
-    let sphere = bounding_sphere(slice.camera, slice.depths.clone());
-    let half = quantise_up(sphere.radius.max(LEAST_SIZE)) * slice.padding();
-    let texel_metres = 2.0 * half / f64::from(slice.resolution);
-    let centre = slice.camera.eye().as_dvec3() + slice.camera.forward().as_dvec3() * sphere.depth;
-    let centre = light.to_light(centre);
+    let space = input.light_frustum.space(DVec3::Y);
+    let sphere = bounding_sphere(input.camera, input.depths.clone());
+    let half = quantise_up(sphere.radius.max(MIN_SIZE)) * input.padding();
+    let texel_metres = 2.0 * half / f64::from(input.resolution);
+    let centre = input.camera.eye().as_dvec3() + input.camera.forward().as_dvec3() * sphere.depth;
+    let centre = space.to_light(centre);
     let centre = DVec2::new(snap(centre.x, texel_metres), snap(centre.y, texel_metres));
     let (min, max) = (centre - DVec2::splat(half), centre + DVec2::splat(half));
-    let metres = if slice.bounds.world.is_empty() {
-        let corners = slice.camera.slice_corners(slice.depths.clone());
-        let (near, far) = bounds_of(corners.into_iter().map(|p| light.to_light(p)));
-        near.z..far.z
+    let metres = if input.bounds.world.is_empty() {
+        let depths = input.camera.slice_corners(input.depths.clone()).map(|corner| space.to_light(corner).z);
+        depths.into_iter().fold(f64::INFINITY, f64::min)..depths.into_iter().fold(f64::NEG_INFINITY, f64::max)
     } else {
-        let world = slice.world_metres(&light);
-        let margin = slice.margin(texel_metres, &(0.0..0.0));
+        let world = of_world(input, &space);
+        let margin = margin(input, texel_metres, &(0.0..0.0));
         // Whole steps of the world's size, so that things that move a little leave the range alone.
         let step = quantise_up(world.end - world.start + 2.0 * margin) / 16.0;
         ((world.start - margin) / step).floor() * step..((world.end + margin) / step).ceil() * step
     };
-    let map = Map { light, warp: Warp::default(), min, max, texel_metres, metres };
-    Fitted { unclipped_depth: false, ..slice.fitted(&map, receivers) }
+    let area = Area::Square(Rectangle { min, max, texel_metres });
+    let region = Region { space, area, depths: DepthRange::OfMap(metres), receivers: &receivers.body };
+    (region, CasterPolicy::WholeWorld)
 }

@@ -1,6 +1,8 @@
 //! What the maps are, what they cover, and which of them serves a receiver.
 
 use super::{Choice, Group, Key, Values};
+use crate::fit::FITS;
+use crate::warp::WARPS;
 
 pub(super) const KEYS: &[Key] = &[RESOLUTION, DEPTH, STORAGE, FIT, UNCLIPPED_DEPTH, WARP, SELECT, BLEND];
 
@@ -59,27 +61,7 @@ const FIT: Key = Key {
     label: "fit",
     help: "What a view's box is fitted to. A tighter box has finer texels.",
     source: "Ferko 2010, §3.2",
-    values: Values::Choice(&[
-        Choice {
-            name: "scene",
-            label: "scene",
-            help: "The part of the slice that has something in it: the finest texels.",
-            source: "Ferko 2010, §3.2, scene-dependent",
-        },
-        Choice {
-            name: "view",
-            label: "view",
-            help: "The whole slice.",
-            source: "Ferko 2010, §3.2, scene-independent",
-        },
-        Choice {
-            name: "stable",
-            label: "stable",
-            help: "A sphere around the slice, moved by whole texels; for a spot, its whole cone. \
-                   Edges hold still while the camera moves, and texels are coarser.",
-            source: "Valient 2008",
-        },
-    ]),
+    values: Values::Choice(FITS),
     ..BASE
 };
 
@@ -95,27 +77,7 @@ const WARP: Key = Key {
     name: "warp",
     label: "warp",
     help: "How a map's texels are spent on what is near the eye. Works in every split, for suns and spots.",
-    values: Values::Choice(&[
-        Choice { name: "none", label: "none", help: "Evenly.", source: "" },
-        Choice {
-            name: "psm",
-            label: "PSM",
-            help: "As the camera's own perspective does.",
-            source: "Stamminger & Drettakis 2002; Kozlov 2004",
-        },
-        Choice {
-            name: "lispsm",
-            label: "LiSPSM",
-            help: "With the least largest error over the depth.",
-            source: "Wimmer, Scherzer & Purgathofer 2004",
-        },
-        Choice {
-            name: "tsm",
-            label: "TSM",
-            help: "Four fifths of the map for the nearest part.",
-            source: "Martin & Tan 2004",
-        },
-    ]),
+    values: Values::Choice(WARPS),
     ..BASE
 };
 

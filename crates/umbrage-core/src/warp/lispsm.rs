@@ -2,15 +2,15 @@
 //!
 //! Wimmer, Scherzer & Purgathofer, *Light Space Perspective Shadow Maps*, EGSR 2004, with the authors' revision of 2005.
 //! Paper → here: n → the distance, d → `length`, z_n and z_f → `depths`. n_opt = (z_n + √(z_n z_f)) / sin γ is the same
-//! as d / (√(z_f / z_n) − 1), which needs no angle and holds for spots. As light and view become parallel z_f nears z_n,
+//! as d / (√(z_f / z_n) − 1), which needs no angle and holds for punctual lights. As light and view become parallel z_f nears z_n,
 //! and the distance grows without bound; in a deep view it does so only in the last moment, so a fade helps.
 
-use super::Along;
+use super::frame::WarpFrame;
 
 /// How far behind the nearest receivers the line at infinity lies.
-pub(super) fn distance(along: &Along<'_>) -> Option<f64> {
-    let ratio = along.depths.end / along.depths.start;
-    (ratio > 1.0).then(|| along.length / (ratio.sqrt() - 1.0))
+pub(super) fn distance(frame: &WarpFrame<'_>) -> Option<f64> {
+    let ratio = frame.depths.end / frame.depths.start;
+    (ratio > 1.0).then(|| frame.length / (ratio.sqrt() - 1.0))
 }
 
 #[cfg(test)]
@@ -20,14 +20,16 @@ mod tests {
     use crate::bounds::Aabb;
     use crate::camera::{Camera, Projection};
     use crate::convex::ConvexBody;
-    use crate::settings;
+    use crate::homography::Homography;
     use crate::space::LightSpace;
+    use crate::warp::Warp;
+    use crate::warp::frame::WarpFrame;
+    use crate::warp::input::WarpInput;
     use crate::warp::lispsm::distance;
-    use crate::warp::{Along, Sight, Warp, warp};
 
     /// The warp of a map 99 m long whose nearest receivers are at view depth 1, under a sun at this angle to the view.
     /// And how far behind them the line at infinity lies before it fades.
-    fn v7(degrees: f64) -> (LightSpace, Option<(DVec2, Warp)>, Option<f64>) {
+    fn v7(degrees: f64) -> (LightSpace, Option<Homography>, Option<f64>) {
         let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
         let camera =
             Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 1.0, 100.0).expect("a camera");
@@ -37,19 +39,19 @@ mod tests {
         let low = light.to_light(nearest).y;
         let outline =
             [(-9.0, 0.0), (9.0, 0.0), (30.0, 99.0), (-30.0, 99.0)].map(|(x, y)| DVec2::new(x, low + y));
-        let sight = Sight {
+        let input = WarpInput {
             camera: &camera,
             light: &light,
             outline: &outline,
-            depths: 1.0..100.0,
+            view_depths: 1.0..100.0,
             nearest,
             receivers: &ConvexBody::default(),
             world: Aabb::EMPTY,
-            room: 0.0,
+            padding: 0.0,
         };
-        let warped = warp(settings::Warp::Lispsm, &sight);
-        let along = sight.ahead().and_then(|ahead| Along::new(&sight, ahead));
-        (light, warped, along.and_then(|along| distance(&along)))
+        let warped = Warp::Lispsm.perspective(&input);
+        let frame = input.ahead().and_then(|ahead| WarpFrame::new(&input, ahead));
+        (light, warped, frame.and_then(|frame| distance(&frame)))
     }
 
     #[test]
@@ -75,11 +77,8 @@ mod tests {
     #[test]
     fn depths_under_a_sun_overhead_lie_on_the_map_as_in_v7() {
         let (light, warped, _) = v7(90.0);
-        let (ahead, warp) = warped.expect("a warp");
-        let place = |z: f64| {
-            let on_map = light.to_light(DVec3::new(0.0, 0.0, -z)).truncate();
-            warp.apply(DVec2::new(on_map.dot(-ahead.perp()), on_map.dot(ahead))).y
-        };
+        let homography = warped.expect("a warp");
+        let place = |z: f64| homography.apply(light.to_light(DVec3::new(0.0, 0.0, -z)).truncate()).y;
         for (z, t) in [
             (1.0, 0.0),
             (2.0, 0.092593),

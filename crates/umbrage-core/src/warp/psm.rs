@@ -1,7 +1,7 @@
 //! Perspective shadow maps: the map is drawn in the camera's own post-perspective space.
 //!
 //! Stamminger & Drettakis, *Perspective Shadow Maps*, SIGGRAPH 2002. In that space the light is a point: the image of its
-//! direction, or of its tip. The map looks from there at what is seen, as Kozlov (GPU Gems, ch. 14) advises, not at the
+//! direction, or of its apex. The map looks from there at what is seen, as Kozlov (GPU Gems, ch. 14) advises, not at the
 //! whole cube. The plane through the light that is across that look is what goes to infinity. All rays lie in planes
 //! through the light, so the plane is a line on the map.
 //!
@@ -14,35 +14,35 @@ use std::ops::Range;
 
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
-use super::Sight;
+use super::input::WarpInput;
 use crate::camera::Camera;
 
 /// (a, b, s): the line of light space that goes to infinity is a x + b y = constant, and s is how much a x + b y exceeds
 /// that constant at the nearest receivers. Not positive where the line cuts through them, as it can where the light is
 /// just outside of what is seen.
-pub(super) fn vanishing_line(sight: &Sight<'_>) -> Option<DVec3> {
-    let post = post_perspective(sight.camera, slide(sight), &sight.depths);
+pub(super) fn vanishing_line(input: &WarpInput<'_>) -> Option<DVec3> {
+    let post = post_perspective(input.camera, slide(input), &input.view_depths);
     let light = post
-        * match sight.light.tip {
-            Some(tip) => tip.extend(1.0),
-            None => (-sight.light.along).extend(0.0),
+        * match input.light.apex {
+            Some(apex) => apex.extend(1.0),
+            None => (-input.light.axis).extend(0.0),
         };
     let look = middle_of_cone(|| {
-        let images = sight.receivers.corners().map(|corner| post.project_point3(corner));
+        let images = input.receivers.corners().map(|corner| post.project_point3(corner));
         images.map(|image| (image * light.w - light.truncate()).normalize_or_zero())
     });
     // The plane through the light, across the look, as a row: of post-perspective space, of the world, of light space.
     let row = (look * light.w).extend(-look.dot(light.truncate()));
     let light_from_world =
-        DMat4::from_cols_array_2d(&sight.light.rows().map(|row| row.to_array())).transpose();
+        DMat4::from_cols_array_2d(&input.light.rows().map(|row| row.to_array())).transpose();
     let row = light_from_world.inverse().transpose() * (post.transpose() * row);
     let at = |p: &DVec2| row.x * p.x + row.y * p.y + row.w;
-    let nearest = sight.outline.iter().map(at).fold(f64::INFINITY, f64::min);
+    let nearest = input.outline.iter().map(at).fold(f64::INFINITY, f64::min);
     let line = DVec3::new(row.x, row.y, nearest);
     line.is_finite().then_some(line)
 }
 
-/// The axis of the least cone around some unit directions, nearly (Bădoiu & Clarkson 2003): a look that sees them all,
+/// The axis of the smallest cone around some unit directions, nearly (Bădoiu & Clarkson 2003): a look that sees them all,
 /// where one sees them all.
 fn middle_of_cone<I: Iterator<Item = DVec3>>(directions: impl Fn() -> I) -> DVec3 {
     const ROUNDS: u32 = 24;
@@ -55,20 +55,20 @@ fn middle_of_cone<I: Iterator<Item = DVec3>>(directions: impl Fn() -> I) -> DVec
 }
 
 /// How far back the camera must go so that the nearest caster is no nearer than the nearest receiver is now, metres.
-fn slide(sight: &Sight<'_>) -> f64 {
-    let Sight { camera, light, receivers, world, .. } = sight;
+fn slide(input: &WarpInput<'_>) -> f64 {
+    let WarpInput { camera, light, receivers, world, .. } = input;
     let (eye, forward) = (camera.eye().as_dvec3(), camera.forward().as_dvec3());
     let (min, max) = (world.min.as_dvec3(), world.max.as_dvec3());
     let nearest_caster = receivers.corners().map(|receiver| {
-        let toward = light.tip.map_or(-light.along, |tip| tip - receiver);
-        // Where the ray to the light leaves the world; a tip is one such step away.
+        let toward = light.apex.map_or(-light.axis, |apex| apex - receiver);
+        // Where the ray to the light leaves the world; an apex is one such step away.
         let leaves = DVec3::select(toward.cmplt(DVec3::ZERO), min, max) - receiver;
         let steps = DVec3::select(toward.cmpeq(DVec3::ZERO), DVec3::INFINITY, leaves / toward).min_element();
-        let steps = if light.tip.is_some() { steps.min(1.0) } else { steps };
+        let steps = if light.apex.is_some() { steps.min(1.0) } else { steps };
         let caster = receiver + toward * steps.max(0.0);
         forward.dot(receiver - eye).min(forward.dot(caster - eye))
     });
-    let slide = sight.depths.start - nearest_caster.fold(sight.depths.start, f64::min);
+    let slide = input.view_depths.start - nearest_caster.fold(input.view_depths.start, f64::min);
     if slide.is_finite() { slide } else { 0.0 }
 }
 

@@ -5,7 +5,7 @@
 //! sight, and its top line lies on the nearest receivers. The paper leaves the focus to its user. Here it is the depth before
 //! which four fifths of an ideal map lie, a logarithmic one: so a shallow slice is warped little, and a deep one much.
 
-use super::Along;
+use super::frame::WarpFrame;
 
 /// Where on the map the focus comes to lie: −1 is its far end and 1 the near one, so four fifths lie before it.
 const LINE: f64 = -0.6;
@@ -15,11 +15,11 @@ const FARTHEST_FOCUS: f64 = 0.79;
 const NEAREST_FOCUS: f64 = 0.01;
 
 /// How far behind the nearest receivers the line at infinity lies.
-pub(super) fn distance(along: &Along<'_>) -> Option<f64> {
-    let seen = along.seen();
+pub(super) fn distance(frame: &WarpFrame<'_>) -> Option<f64> {
+    let depths = frame.receiver_depths();
     let share = 0.5 - 0.5 * LINE;
-    let focus = along.height_at(seen.start * (seen.end / seen.start).powf(share))? / along.length;
-    Some(trapezoid(along.length, along.length * focus.clamp(NEAREST_FOCUS, FARTHEST_FOCUS)))
+    let focus = frame.height_at(depths.start * (depths.end / depths.start).powf(share))? / frame.length;
+    Some(trapezoid(frame.length, frame.length * focus.clamp(NEAREST_FOCUS, FARTHEST_FOCUS)))
 }
 
 /// η of the paper, for a map of `length` with the focus at `focus` from the top line, below four fifths of the length.

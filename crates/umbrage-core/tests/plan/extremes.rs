@@ -65,7 +65,7 @@ proptest! {
         fov_y in 1e-4f32..3.1, aspect in 1e-4f32..1e4, near_exponent in -30.0f32..30.0, reach_exponent in -5.0f32..30.0,
         corner in prop::array::uniform3(-1e30f32..1e30), size_exponent in -30.0f32..30.0,
         (fit, warp) in fit_and_warp(), splits in 1u32..=9, lambda in 0.0f32..=1.0, has_objects in any::<bool>(),
-        (tip, half_angle, range_exponent) in (prop::array::uniform3(-1e30f32..1e30), 1e-4f32..1.57, -30.0f32..39.0),
+        (apex, half_angle, range_exponent) in (prop::array::uniform3(-1e30f32..1e30), 1e-4f32..1.57, -30.0f32..39.0),
         scale_exponent in -30.0f32..=0.0, unclipped_depth in any::<bool>(),
     ) {
         // All places may be near one another.
@@ -84,11 +84,11 @@ proptest! {
             bounds.objects = vec![Aabb { min, max: min }, Aabb { min, max: centre }, Aabb { min: centre, max }];
         }
         let settings = Settings { fit, warp, splits, spot_splits: splits, lambda, unclipped_depth, ..Settings::default() };
-        let (tip, range) = (Vec3::from_array(tip) * scale, 10f32.powf(range_exponent).max(f32::MIN_POSITIVE));
+        let (apex, range) = (Vec3::from_array(apex) * scale, 10f32.powf(range_exponent).max(f32::MIN_POSITIVE));
         let lights = [
             Light::directional(light).unwrap(),
-            Light::spot(tip, light, half_angle, range).unwrap(),
-            Light::point(tip, range).unwrap(),
+            Light::spot(apex, light, half_angle, range).unwrap(),
+            Light::point(apex, range).unwrap(),
         ];
         let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
         let fault = fault(&plan, 0.0);
@@ -96,7 +96,7 @@ proptest! {
     }
 
     #[test]
-    fn lamps_inside_behind_and_far_from_a_camera_at_any_distance_get_finite_maps(
+    fn punctual_lights_inside_behind_and_far_from_a_camera_at_any_distance_get_finite_maps(
         at in prop::array::uniform3(-1.0f32..1.0), exponent in 0.0f32..6.0, view in direction(), along in direction(),
         aside in share(), metres in prop_oneof![Just(0.0f32), 0.001f32..100.0], range_exponent in -3.0f32..3.0,
         half_angle in prop_oneof![Just(89.5f32.to_radians()), 0.01f32..1.5], has_objects in any::<bool>(),
@@ -112,10 +112,10 @@ proptest! {
             });
             bounds.objects = boxes.collect();
         }
-        let tip = eye + (aside - 0.5) * metres;
+        let apex = eye + (aside - 0.5) * metres;
         let range = 10f32.powf(range_exponent);
-        let spot = Light::spot(tip, along, half_angle, range).unwrap();
-        for light in [spot, Light::point(tip, range).unwrap()] {
+        let spot = Light::spot(apex, along, half_angle, range).unwrap();
+        for light in [spot, Light::point(apex, range).unwrap()] {
             let fault = fault_in_any(&camera, light, &bounds);
             prop_assert!(fault.is_none(), "{}", fault.unwrap_or_default());
         }
@@ -134,12 +134,12 @@ fn worlds_of_nothing_a_triangle_a_flat_box_and_a_point_get_finite_maps() {
             for objects in [Vec::new(), vec![world], vec![Aabb::EMPTY]] {
                 let bounds = Bounds { world, objects };
                 for direction in [Vec3::NEG_Y, Vec3::NEG_Z, Vec3::Z, Vec3::X, Vec3::new(1.0, -2.0, 3.0)] {
-                    for tip in [Vec3::ZERO, Vec3::Y * 5.0, Vec3::new(0.0, 0.0, -5.0), eye] {
+                    for apex in [Vec3::ZERO, Vec3::Y * 5.0, Vec3::new(0.0, 0.0, -5.0), eye] {
                         for light in [
                             Light::directional(direction).unwrap(),
-                            Light::spot(tip, direction, 89.5f32.to_radians(), f32::INFINITY).unwrap(),
-                            Light::spot(tip, direction, 0.3, 4.0).unwrap(),
-                            Light::point(tip, f32::INFINITY).unwrap(),
+                            Light::spot(apex, direction, 89.5f32.to_radians(), f32::INFINITY).unwrap(),
+                            Light::spot(apex, direction, 0.3, 4.0).unwrap(),
+                            Light::point(apex, f32::INFINITY).unwrap(),
                         ] {
                             let fault = fault_in_any(&camera, light, &bounds);
                             assert!(fault.is_none(), "{bounds:?}, {light:?}: {}", fault.unwrap_or_default());

@@ -1,4 +1,4 @@
-//! Warped maps do not jump: as a light turns a little, texels change a little.
+//! Warped maps do not jump: as a light rotates a little, texels change a little.
 
 use glam::Vec3;
 use umbrage_core::{Bounds, Camera, Fit, Light, Projection, Settings, ShadowView, Warp, plan};
@@ -26,7 +26,7 @@ fn largest_jump(before: &ShadowView, after: &ShadowView) -> f32 {
     receivers().map(change).map(|ratio| ratio.max(1.0 / ratio)).fold(1.0, f32::max)
 }
 
-/// The largest jump of a texel while the light turns from 60 steps before `centre` to 60 after, through it.
+/// The largest jump of a texel while the light rotates from 60 steps before `centre` to 60 after, through it.
 fn largest_jump_around(centre: Vec3, toward: Vec3, fit: Fit, warp: Warp) -> f32 {
     let camera = camera();
     let bounds = Bounds::of_world(Vec3::new(-60.0, 0.0, -110.0), Vec3::new(60.0, 12.0, 10.0));
@@ -46,9 +46,9 @@ fn largest_jump_around(centre: Vec3, toward: Vec3, fit: Fit, warp: Warp) -> f32 
     jump
 }
 
-/// The turns of a light through the singularities of a view: where it passes, in which plane, through which direction,
+/// The rotations of a light through the singularities of a view: where it passes, in which plane, through which direction,
 /// toward which.
-fn turns() -> impl Iterator<Item = (&'static str, Vec3, Vec3)> {
+fn rotations() -> impl Iterator<Item = (&'static str, Vec3, Vec3)> {
     let view = camera().forward();
     let right = view.cross(Vec3::Y).normalize_or_zero();
     let up = right.cross(view);
@@ -69,7 +69,7 @@ fn turns() -> impl Iterator<Item = (&'static str, Vec3, Vec3)> {
 fn texels_of_warped_maps_do_not_jump_as_the_light_passes_along_against_or_across_the_view() {
     for warp in [Warp::None, Warp::Lispsm, Warp::Tsm] {
         for fit in [Fit::View, Fit::Scene] {
-            for (name, centre, toward) in turns() {
+            for (name, centre, toward) in rotations() {
                 let jump = largest_jump_around(centre, toward, fit, warp);
                 assert!(jump < 1.5, "{warp:?}, {fit:?} fit, {name}: a texel changes {jump} times");
             }
@@ -82,7 +82,7 @@ fn perspective_maps_do_not_jump_as_the_light_passes_across_the_view() {
     // Not so along and against it: there the light's image comes near to what is seen, and its line cuts through. That
     // is the method's own singularity; texels then jump, but have a size.
     for fit in [Fit::View, Fit::Scene] {
-        for (name, centre, toward) in turns() {
+        for (name, centre, toward) in rotations() {
             let jump = largest_jump_around(centre, toward, fit, Warp::Psm);
             let is_across = name.contains("across");
             assert!(!is_across || jump < 1.5, "{fit:?} fit, {name}: a texel changes {jump} times");

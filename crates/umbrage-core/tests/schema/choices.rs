@@ -65,7 +65,7 @@ fn every_variant_is_a_choice_and_every_choice_a_variant() {
                 are_choices::<DepthLayer>(key, &variants!(DepthLayer: First, Second, Midpoint, Dual));
             }
             ("filter.noise", _) => {
-                are_choices::<NoiseSource>(key, &variants!(NoiseSource: Screen, World, None))
+                are_choices::<NoiseSource>(key, &variants!(NoiseSource: Screen, World, None));
             }
             ("filter.precision", ["evsm2", "evsm4"]) => {
                 are_choices::<Precision>(key, &variants!(Precision: F32, F16));

@@ -8,8 +8,8 @@ use umbrage_core::kernel::{
     POISSON, gaussian, interleaved_gradient_noise, picked, poisson, spiral, two_squares, world_noise,
 };
 use umbrage_core::{
-    CompareDepth, Disc, Filter, Moments, NoiseSource, Pcss, Prefilter, Settings, ShadowPlan, ShadowView,
-    SoftMoments, SummedVariance,
+    CompareDepth, Disc, Filter, Moments, NoiseSource, Pcss, Prefilter, Rays, Settings, ShadowPlan,
+    ShadowView, SoftMoments, SummedVariance,
 };
 
 use super::{Place, Query};
@@ -165,10 +165,11 @@ impl Reader<'_> {
         let size = self.settings.filter.light_size().unwrap_or_default();
         let size = self.plan.lights()[self.view.light].half_size(size);
         let way = (self.depth() - blocker).max(0.0) * self.view.depth_metres;
-        let metres = if self.view.spreads {
-            size * way / (self.view.near_metres + blocker * self.view.depth_metres).max(f32::MIN_POSITIVE)
-        } else {
-            size * way
+        let metres = match self.view.rays {
+            Rays::Parallel => size * way,
+            Rays::FromApex => {
+                size * way / (self.view.near_metres + blocker * self.view.depth_metres).max(f32::MIN_POSITIVE)
+            }
         };
         (metres / self.place.texel_metres).clamp(Vec2::splat(0.5), Vec2::splat(max_texels))
     }

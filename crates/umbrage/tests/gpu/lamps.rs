@@ -33,7 +33,7 @@ fn drawn(settings: Settings, lights: &[Light]) -> Drawn {
 /// The lamp's place, and whether it shines on a point and the point faces it.
 fn shines(light: &Light, query: &Query) -> Option<DVec3> {
     let from = |position: Vec3| (query.position - position).as_dvec3();
-    let (position, is_inside) = match light.kind {
+    let (position, is_inside) = match light.kind() {
         LightKind::Spot { position, direction, half_angle, range } => {
             let along = from(position).normalize_or_zero().dot(direction.as_dvec3());
             (
@@ -109,7 +109,7 @@ fn filters_do_not_leave_a_face_of_the_cube() {
         let drawn = drawn(settings, &[point()]);
         let world = world();
         let queries = queries(&world, &eye(), 60);
-        let LightKind::Point { position, .. } = point().kind else { panic!("a point") };
+        let LightKind::Point { position, .. } = point().kind() else { panic!("a point") };
         for query in &queries {
             let size = (query.position - position).abs();
             let face =

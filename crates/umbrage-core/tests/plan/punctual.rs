@@ -5,12 +5,12 @@ use std::ops::Range;
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use umbrage_core::{
-    Aabb, Bounds, Camera, Fit, Light, LightKind, Projection, Settings, ShadowView, Warp, plan,
+    Aabb, Bounds, Camera, Fit, Light, LightKind, Projection, Rays, Settings, ShadowView, Warp, plan,
 };
 
 use super::any::{camera, direction, fit_and_warp, point_in, seen, share, world};
 
-/// How far lamps reach, metres.
+/// How far punctual lights reach, metres.
 fn range() -> impl Strategy<Value = f32> {
     prop_oneof![4 => 1.0f32..150.0, 1 => Just(f32::INFINITY)]
 }
@@ -22,7 +22,7 @@ fn place() -> impl Strategy<Value = Vec3> {
 /// Half angles up to that of a cone of 179°.
 fn spot() -> impl Strategy<Value = Light> {
     (place(), direction(), 0.02f32..1.5621, range())
-        .prop_map(|(tip, along, half_angle, range)| Light::spot(tip, along, half_angle, range).unwrap())
+        .prop_map(|(apex, along, half_angle, range)| Light::spot(apex, along, half_angle, range).unwrap())
 }
 
 fn any_light() -> impl Strategy<Value = Light> {
@@ -36,29 +36,29 @@ fn any_light() -> impl Strategy<Value = Light> {
 /// The map of a light begins at less than this share of what it reaches, metres along its axis.
 const FRONT: f64 = 1e-3;
 
-/// The depths along an axis that are in front of the tip, and within the light's range and the world.
-fn front(bounds: &Bounds, tip: DVec3, axis: DVec3, range: f32) -> Range<f64> {
-    let corners = bounds.world.corners().map(|corner| axis.dot(corner.as_dvec3() - tip));
+/// The depths along an axis that are in front of the apex, and within the light's range and the world.
+fn front(bounds: &Bounds, apex: DVec3, axis: DVec3, range: f32) -> Range<f64> {
+    let corners = bounds.world.corners().map(|corner| axis.dot(corner.as_dvec3() - apex));
     let reach = corners.into_iter().fold(0.0, f64::max).min(f64::from(range));
     FRONT * reach..reach
 }
 
 /// A receiver's view holds it, its texels are no larger than the view says, and so it is with what lies at a share of
-/// the way to the tip.
+/// the way to the apex.
 fn check(
     view: &ShadowView,
     receiver: Vec3,
-    (tip, axis): (DVec3, DVec3),
+    (apex, axis): (DVec3, DVec3),
     share: f32,
     front: &Range<f64>,
     world: &Aabb,
 ) -> Result<(), TestCaseError> {
-    let depth = |point: Vec3| axis.dot(point.as_dvec3() - tip);
+    let depth = |point: Vec3| axis.dot(point.as_dvec3() - apex);
     // Entries of f32, with sums of 100 m, over the depth.
     let slack = |point: Vec3| 1e-5 + 2e-5 / depth(point);
     prop_assert!(
         view.covers(receiver.as_dvec3(), slack(receiver)),
-        "{receiver}, {} m before the tip, is outside {view:?}",
+        "{receiver}, {} m before the apex, is outside {view:?}",
         depth(receiver)
     );
     let texel = view.texel_basis_at(receiver).texel_metres();
@@ -67,13 +67,13 @@ fn check(
         "a texel of {texel} m at {receiver}, and {} m at most",
         view.texel_metres
     );
-    let caster = receiver.lerp(tip.as_vec3(), share);
+    let caster = receiver.lerp(apex.as_vec3(), share);
     prop_assert!(view.casters.contains(caster), "a caster at {caster} of {receiver} is left out of {view:?}");
     let lies_in_world = world.min.cmple(caster).all() && world.max.cmpge(caster).all();
     if lies_in_world && depth(caster) > front.start {
         prop_assert!(
             view.covers(caster.as_dvec3(), slack(caster)),
-            "a caster at {caster} of {receiver}, {} m before the tip, is outside {view:?}",
+            "a caster at {caster} of {receiver}, {} m before the apex, is outside {view:?}",
             depth(caster)
         );
     }
@@ -93,13 +93,13 @@ proptest! {
         let settings = Settings { fit, warp, spot_splits, unclipped_depth, blend, ..Settings::default() };
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
         prop_assert_eq!(plan.views().len(), spot_splits as usize);
-        let LightKind::Spot { position, direction, half_angle, range } = light.kind else { unreachable!("a spot") };
-        let (tip, axis) = (position.as_dvec3(), direction.as_dvec3());
-        let front = front(&bounds, tip, axis, range);
+        let LightKind::Spot { position, direction, half_angle, range } = light.kind() else { unreachable!("a spot") };
+        let (apex, axis) = (position.as_dvec3(), direction.as_dvec3());
+        let front = front(&bounds, apex, axis, range);
         for (object, share, toward_light) in shares {
             let receiver = point_in(&bounds.objects[object], share);
             let (depth, is_seen) = seen(&camera, receiver);
-            let ray = receiver.as_dvec3() - tip;
+            let ray = receiver.as_dvec3() - apex;
             let is_lit = axis.angle_between(ray) < f64::from(half_angle) && ray.length() < f64::from(range);
             if !is_seen || !is_lit || axis.dot(ray) < front.start {
                 continue;
@@ -109,38 +109,38 @@ proptest! {
             let slack = 1e-5 * (1.0 + depth);
             prop_assert!(ends.start - slack <= depth && depth <= ends.end + slack, "{depth} m is not in {ends:?}");
             let split = views[1..].iter().filter(|view| depth >= view.depths.start).count();
-            check(&views[split], receiver, (tip, axis), toward_light, &front, &bounds.world)?;
+            check(&views[split], receiver, (apex, axis), toward_light, &front, &bounds.world)?;
         }
     }
 
     #[test]
-    fn what_is_seen_around_a_lamp_lies_in_its_faces_view_and_so_do_its_casters(
-        camera in camera(), tip in place(), range in range(), (fit, warp) in fit_and_warp(),
+    fn what_is_seen_around_a_point_light_lies_in_its_faces_view_and_so_do_its_casters(
+        camera in camera(), apex in place(), range in range(), (fit, warp) in fit_and_warp(),
         unclipped_depth in any::<bool>(), resolution in prop_oneof![Just(16u32), Just(100), Just(1024)],
         shares in proptest::collection::vec((0usize..40, share(), 0.0f32..1.0), 100),
     ) {
         let bounds = world();
         let settings = Settings { fit, warp, unclipped_depth, ..Settings::default() };
-        let light = Light::point(tip, range).unwrap().with_resolution(resolution);
+        let light = Light::point(apex, range).unwrap().with_resolution(resolution);
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
         prop_assert_eq!(plan.views().len(), 6);
-        let tip = tip.as_dvec3();
+        let apex = apex.as_dvec3();
         for (object, share, toward_light) in shares {
             let receiver = point_in(&bounds.objects[object], share);
-            let ray = receiver.as_dvec3() - tip;
+            let ray = receiver.as_dvec3() - apex;
             let (face, axis) = face(ray);
-            let front = front(&bounds, tip, axis, range);
+            let front = front(&bounds, apex, axis, range);
             if seen(&camera, receiver).1 && ray.length() < f64::from(range) && axis.dot(ray) > front.start {
-                check(&plan.views()[face], receiver, (tip, axis), toward_light, &front, &bounds.world)?;
+                check(&plan.views()[face], receiver, (apex, axis), toward_light, &front, &bounds.world)?;
             }
         }
     }
 
     #[test]
     fn the_order_of_lights_changes_no_view(
-        camera in camera(), spot in spot(), lamp in place(), sun in direction(), (fit, warp) in fit_and_warp(),
+        camera in camera(), spot in spot(), point in place(), sun in direction(), (fit, warp) in fit_and_warp(),
     ) {
-        let lights = [spot, Light::point(lamp, 40.0).unwrap(), Light::directional(sun).unwrap()];
+        let lights = [spot, Light::point(point, 40.0).unwrap(), Light::directional(sun).unwrap()];
         let settings = Settings { fit, warp, spot_splits: 2, ..Settings::default() };
         let bounds = world();
         let views = |order: [usize; 3]| {
@@ -148,7 +148,7 @@ proptest! {
             let mut views: Vec<_> = plan
                 .views()
                 .iter()
-                .map(|view| (order[view.light], view.split, view.clip_from_world, view.casters, view.texel_metres))
+                .map(|view| (order[view.light], view.split, view.clip_from_world, view.casters.clone(), view.texel_metres))
                 .collect();
             views.sort_by_key(|view| (view.0, view.1));
             views
@@ -162,7 +162,7 @@ proptest! {
 
 #[test]
 fn a_spots_map_far_from_the_origin_is_as_fine_as_near_it() {
-    // A lamp on a pole, in a room: its map begins at the least depth, 5 mm of 10 m.
+    // A spot on a pole, in a room: its map begins at the least depth, 5 mm of 10 m.
     for (fit, warp) in [Fit::Scene, Fit::View]
         .into_iter()
         .flat_map(|fit| [Warp::None, Warp::Psm, Warp::Lispsm, Warp::Tsm].map(move |warp| (fit, warp)))
@@ -203,7 +203,7 @@ fn face(ray: DVec3) -> (usize, DVec3) {
 }
 
 #[test]
-fn texels_of_a_lamp_grow_with_the_distance() {
+fn texels_of_a_point_light_grow_with_the_distance() {
     // A face of 90° on 1024 texels, without room for a filter, has 2 a / 1024 metres a texel at depth a.
     let camera = straight_camera();
     let bounds = Bounds::of_world(Vec3::splat(-30.0), Vec3::splat(30.0));
@@ -251,7 +251,7 @@ fn straight_camera() -> Camera {
 
 proptest! {
     #[test]
-    fn even_depth_is_the_way_along_the_lights_axis_whatever_the_light_and_the_warp(
+    fn linear_depth_is_the_way_along_the_lights_axis_whatever_the_light_and_the_warp(
         camera in camera(), light in any_light(), (fit, warp) in fit_and_warp(), share in share(), object in 0usize..40,
     ) {
         let bounds = world();
@@ -262,24 +262,24 @@ proptest! {
             let clip = view.clip_from_world.as_dmat4() * point.as_dvec3().extend(1.0);
             let ndc = clip.truncate() / clip.w;
             let texel = (ndc.truncate() * DVec2::new(0.5, -0.5) + 0.5) * f64::from(view.tile.size);
-            let axis = match light.kind {
+            let axis = match light.kind() {
                 LightKind::Point { .. } => [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z][view.split],
                 LightKind::Spot { direction, .. } | LightKind::Directional { direction } => direction.as_dvec3(),
             };
-            let tip = match light.kind {
+            let apex = match light.kind() {
                 LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position.as_dvec3(),
-                _ => DVec3::ZERO,
+                LightKind::Directional { .. } => DVec3::ZERO,
             };
             let (near, deep) = (f64::from(view.near_metres), f64::from(view.depth_metres));
             // A warped map also shows what lies behind its far plane; that counts as on it.
-            let expected = ((axis.dot(point.as_dvec3() - tip) - near) / deep).min(1.0);
+            let expected = ((axis.dot(point.as_dvec3() - apex) - near) / deep).min(1.0);
             let even = f64::from(view.linear_depth(texel.as_vec2(), ndc.z as f32));
             // The matrix is as exact as f32, and so is the weight; toward the far end of a warped map that is small, and
-            // what a lamp stores far away is steep.
+            // what a punctual light stores far away is steep.
             let row = view.clip_from_world.row(3).as_dvec4();
             let cancelled = row.abs().dot(point.as_dvec3().abs().extend(1.0)) / clip.w;
             let weight = view.inverse_weight.as_dvec3().dot(ndc.truncate().extend(1.0));
-            let steepness = if view.spreads { 1.0 + deep / near * expected.powi(2) } else { 1.0 };
+            let steepness = if view.rays == Rays::FromApex { 1.0 + deep / near * expected.powi(2) } else { 1.0 };
             let slack = 1e-5 + 4.0 * f64::from(f32::EPSILON) * cancelled / weight * steepness;
             prop_assert!((even - expected).abs() < slack, "{even}, not {expected}, give or take {slack}, in {view:?}");
             prop_assert_eq!(view.linear_depth(texel.as_vec2(), 1.0), 1.0, "nothing was drawn at {} of {:?}", texel, view);

@@ -3,12 +3,12 @@
 //! Each corner of what two convex bodies share is an end of an edge of one of them, cut to the other: so 24 edges say it
 //! all, and no faces need be kept (the form is Filament's). Boxes that lie wholly inside or outside are told apart first.
 
+use arrayvec::ArrayVec;
 use glam::DVec3;
 
 use crate::bounds::Aabb;
 use crate::convex::{ConvexBody, MAX_FACES};
-use crate::few::ArrayVec;
-use crate::frustum::PlaneF64;
+use crate::plane::PlaneF64;
 
 /// Planes are moved outward by this share of the slice's coordinates: what f32 calls visible must not be cut off.
 const MARGIN: f64 = 1e-6;
@@ -45,12 +45,12 @@ impl Cutter {
         Self::new(&ConvexBody::of_slice(&corners), edges.into_iter())
     }
 
-    /// For what a slice shares with a light_frustum, given with the light_frustum's planes. Those stay where they are: what is not lit is
-    /// not cut off, and behind a spot's tip there is no map.
-    pub fn of_body(body: &ConvexBody, light_frustum: &[PlaneF64]) -> Self {
+    /// For what a slice shares with a light frustum, given with the light frustum's planes. Those stay where they are: what
+    /// is not lit is not cut off, and behind a spot's apex there is no map.
+    pub fn of_body(body: &ConvexBody, frustum: &[PlaneF64]) -> Self {
         let mut cutter = Self::new(body, body.edges());
-        for plane in light_frustum {
-            let _fits = cutter.planes.push(*plane);
+        for plane in frustum {
+            let _fits = cutter.planes.try_push(*plane);
         }
         cutter
     }
@@ -58,26 +58,22 @@ impl Cutter {
     fn new(body: &ConvexBody, all_edges: impl Iterator<Item = (DVec3, DVec3)>) -> Self {
         let size = body.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
         let margin = MARGIN * size;
-        let (mut edges, mut planes) = (ArrayVec::default(), ArrayVec::default());
-        for edge in all_edges {
-            let _fits = edges.push(edge);
-        }
-        for plane in body.planes() {
-            let _fits = planes.push(PlaneF64 { distance: plane.distance + margin, ..plane });
-        }
+        let widened = |plane: PlaneF64| PlaneF64 { distance: plane.distance + margin, ..plane };
+        let edges = all_edges.take(MAX_EDGES).collect();
+        let planes = body.planes().take(MAX_FACES).map(widened).collect();
         Self { edges, planes, margin }
     }
 
     /// How the box `centre` ± `half` lies to the slice. Across may be said of a box outside, never the reverse.
     pub fn classify(&self, centre: DVec3, half: DVec3) -> Within {
-        let mut across = ArrayVec::default();
-        for plane in self.planes.iter() {
+        let mut across = ArrayVec::new();
+        for plane in &self.planes {
             let (distance, reach) = (plane.signed_distance(centre), plane.normal.abs().dot(half));
             if distance < -reach {
                 return Within::Outside;
             }
             if distance < reach {
-                let _fits = across.push(*plane);
+                let _fits = across.try_push(*plane);
             }
         }
         if across.is_empty() { Within::Inside } else { Within::Across(across) }
@@ -93,7 +89,7 @@ impl Cutter {
         // An edge of the body lies on two of its planes.
         if across.len() >= 2 {
             let box_planes = self.planes_of(aabb);
-            for (a, b) in self.edges.iter() {
+            for (a, b) in &self.edges {
                 cut_edge(*a, *b, &box_planes, &mut found);
             }
         }

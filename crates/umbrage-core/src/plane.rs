@@ -1,24 +1,24 @@
-//! Planes, and the six of a frustum.
+//! Planes that bound half-spaces, and the six of a clip matrix.
 
 use glam::{DVec3, Mat4, Vec3};
 
-/// A half-space in world space: inside where `normal · p + distance ≥ 0`. Normals point inward.
+/// A half-space in world space: a point p lies inside where `normal · p + distance ≥ 0`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane {
-    /// Unit, inward.
+    /// The unit normal, which points inward.
     pub normal: Vec3,
-    /// Metres; the signed distance of the origin.
+    /// The signed distance of the world's origin, metres: positive where that lies inside.
     pub distance: f32,
 }
 
 impl Plane {
-    /// Signed distance of `point`, metres, positive inside.
+    /// The signed distance of `point`, metres: positive inside.
     pub fn signed_distance(&self, point: Vec3) -> f32 {
         self.normal.dot(point) + self.distance
     }
 
-    /// The six planes of a clip matrix with depth 0…1, forward or reversed: left, right, bottom, top, and the two depth
-    /// planes. They are the *rows* of the matrix (Ferko 2010 §1.2.1 says columns, which holds for row vectors). Planes
+    /// Gives the six planes of a clip matrix with depth 0…1, forward or reversed: left, right, bottom, top, and the two
+    /// depth planes. They are the *rows* of the matrix (Ferko 2010 §1.2.1 says columns, which holds for row vectors). Planes
     /// at infinity have no normal and are left out.
     pub fn of_clip(clip_from_world: &Mat4) -> impl Iterator<Item = Self> {
         let [x, y, z, w] = [0, 1, 2, 3].map(|i| clip_from_world.row(i));
