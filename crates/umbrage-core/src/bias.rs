@@ -47,11 +47,11 @@ pub enum CompareDepth {
 impl Settings {
     /// The depth that texels are compared with under these settings.
     pub fn compare_depth(&self) -> CompareDepth {
-        if self.filter.moments(1.0).is_some() {
+        if !self.filter.compares_depths() {
             CompareDepth::Own
         } else if self.bias.receiver_plane {
             CompareDepth::Plane
-        } else if self.warp != Warp::None || self.filter == (Filter::Hard {}) {
+        } else if self.warp != Warp::None || !self.filter.is_bilinear() {
             CompareDepth::Facing
         } else {
             CompareDepth::Own

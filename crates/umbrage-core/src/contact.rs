@@ -1,20 +1,25 @@
 //! Which shadows are looked for on screen, where a map's bias has lost them? The last centimetres between a thing and what
 //! it stands on: a march through the camera's own depth, toward the light.
 
-use crate::SettingsError;
-use crate::check::check;
-use crate::schema::contact;
+use crate::error::SettingsError;
+use crate::schema::cost::Cost;
+use crate::schema::group::Group;
+use crate::schema::key::{Absent, Key};
+use crate::schema::values::{POSITIVE, Values};
 
-/// Contact shadows: how far a receiver looks toward the light in the camera's depth buffer.
+/// Contact shadows: how far and how closely a receiver looks toward the light in the camera's depth buffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Contact {
-    /// How far is looked, metres. What casts from farther away is the maps' business.
+    /// How far is looked toward the light, more than 0 and at most 100 metres. What casts from farther away is the maps'
+    /// business. The default is 0.3.
     pub length: f32,
-    /// In how many steps, 1 to 64. What is thinner on screen than a step may be missed.
+    /// The number of steps that it is looked in, from 1 to 64 steps. What is thinner on screen than a step may be missed. The
+    /// default is 16.
     pub steps: u32,
-    /// How deep things are taken to be behind what the camera sees of them, metres.
+    /// How deep things are taken to be behind what the camera sees of them, more than 0 and at most 100 metres. The default
+    /// is 0.1.
     pub thickness: f32,
 }
 
@@ -35,11 +40,54 @@ impl Contact {
     /// Whether every value is in its range.
     pub(crate) fn validate(&self) -> Result<(), SettingsError> {
         let Self { length, steps, thickness } = *self;
-        check(&contact::LENGTH, length)?;
-        check(&contact::STEPS, steps)?;
-        check(&contact::THICKNESS, thickness)
+        LENGTH.check(length)?;
+        STEPS.check(steps)?;
+        THICKNESS.check(thickness)
     }
 }
+
+pub(crate) const KEYS: &[Key] = &[CONTACT, LENGTH, STEPS, THICKNESS];
+
+const BASE: Key = Key { source: "Bend Studio 2023", costs: &[Cost::Shader], ..Key::of(Group::Contact) };
+
+const CONTACT: Key = Key {
+    name: "contact",
+    label: "contact shadows",
+    help: "Shadows from the camera's depth, for the last centimetres that a map's bias loses. \
+           They need that depth before shading, and march through it at every pixel.",
+    values: Values::Table,
+    absent: Some(Absent { means: "no shadows from the camera's depth", start: "{}" }),
+    ..BASE
+};
+
+const LENGTH: Key = Key {
+    name: "contact.length",
+    label: "length",
+    help: "How far is looked toward the light. What casts from farther away is the maps' business. \
+           With more of it each step is longer, and thin things are missed.",
+    unit: "metres",
+    values: Values::ratio(POSITIVE, 100.0, [0.01, 10.0]),
+    ..BASE
+};
+
+const STEPS: Key = Key {
+    name: "contact.steps",
+    label: "steps",
+    help: "In how many steps is looked. What is thinner on screen than a step may be missed; each costs a lookup.",
+    unit: "steps",
+    values: Values::whole(1, Contact::MAX_STEPS as i64),
+    ..BASE
+};
+
+const THICKNESS: Key = Key {
+    name: "contact.thickness",
+    label: "thickness",
+    help: "How deep things are taken to be behind what the camera sees of them. \
+           More of it darkens what lies behind posts.",
+    unit: "metres",
+    values: Values::ratio(POSITIVE, 100.0, [0.01, 10.0]),
+    ..BASE
+};
 
 #[cfg(test)]
 mod tests {

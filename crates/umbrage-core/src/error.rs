@@ -96,7 +96,7 @@ pub enum SettingsError {
         /// The number that was given.
         value: f64,
         /// What is allowed, with the unit.
-        wanted: &'static str,
+        wanted: String,
     },
     /// Two settings exclude each other.
     Conflict {

@@ -1,25 +1,64 @@
-//! How a map is read: one variant a technique, each with its own numbers.
+//! How a map is read: one variant and one file a filter, each with its own numbers.
 //!
-//! Three families. *Comparisons* ask of texels around the receiver whether they leave it lit, and weigh the answers
-//! (percentage-closer filtering, Reeves et al. 1987): a grid of them, or points on a disc. *Moments* are made of the map
-//! before it is read, blurred as any picture, and turned back into visibility ([`crate::moments`]). *Soft* filters first
-//! ask how far the blocker is, and are as wide as its penumbra ([`crate::penumbra`]).
+//! Three ways. *Comparisons* ask of texels around the receiver whether they leave it lit, and weigh the answers
+//! (percentage-closer filtering, Reeves et al. 1987): a grid of them, points on a disc, or all that a pixel covers.
+//! *Moments* are made of the map before it is read, blurred as any picture, and turned back into visibility
+//! ([`crate::moments`]). *Soft* filters first ask how far the blocker is, and are as wide as its penumbra.
 //!
 //! Widths are in metres on a plane that faces the light, or in texels of the view. A width in metres is the same in every
 //! split.
+//!
+//! A filter's file says everything of it ([`technique::Technique`]): its rows of the schema, how far it reaches, what is
+//! stored for it, what its shader is compiled with, and the same lookup in Rust. This file is the list of them, and nothing
+//! else tells filters apart.
 
-mod kind;
-mod numbers;
-mod ranges;
+mod bounds;
+mod disc;
+mod family;
+mod footprint;
+mod grid;
+pub(crate) mod light_size;
+mod noise;
+mod pcss;
+mod prefiltered;
+mod radius;
+pub(crate) mod shader;
+mod stored;
+mod summed;
+mod taps;
+mod technique;
 
-use crate::moments::{self, Moments, Msm};
+use self::disc::{poisson, rotated, stratified, vogel};
+use self::grid::{bilinear, hard, optimised, pcf};
+use self::prefiltered::{esm, evsm2, evsm4, msm, vsm};
+use self::summed::{mssm, savsm};
+use self::technique::Technique;
+use crate::error::SettingsError;
+use crate::lookup::place::Query;
+use crate::lookup::reader::Reader;
+use crate::schema::cost::Cost;
+use crate::schema::group::Group;
+use crate::schema::key::Key;
+use crate::schema::kind::Kind;
+use crate::schema::values::{Choice, Values};
 
-pub use numbers::{
-    Disc, Exponential, ExponentialVariance, Footprint, FourMoments, LightSize, MomentPrecision, NoiseSource,
-    Pcss, Prefilter, SoftMoments, SummedVariance, Variance,
-};
+pub use disc::Disc;
+pub use family::Family;
+pub use footprint::Footprint;
+pub use light_size::LightSize;
+pub use noise::NoiseSource;
+pub use pcss::Pcss;
+pub use prefiltered::esm::Exponential;
+pub use prefiltered::evsm::ExponentialVariance;
+pub use prefiltered::msm::{FourMoments, MomentPrecision};
+pub use prefiltered::prefilter::Prefilter;
+pub use prefiltered::vsm::Variance;
+pub use shader::{ShaderNumber, ShaderValue};
+pub use stored::{MomentTexel, Stored, TexelPrecision};
+pub use summed::mssm::SoftMoments;
+pub use summed::savsm::SummedVariance;
 
-/// How a map is read; each variant has a file of shader code.
+/// How a map is read; each variant has a file of Rust, and one of shader code that is called by its kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
@@ -30,21 +69,21 @@ pub enum Filter {
     Bilinear {},
     /// The mean of `size` × `size` bilinear lookups, one texel apart.
     Pcf {
-        /// Lookups a side: 1, 3, 5, 7 or 9.
+        /// The number of lookups: 1, 3, 5, 7 or 9 lookups a side.
         size: u32,
     },
     /// A bell-shaped kernel of bilinear lookups, in as few of them as can be (Castaño 2013).
     Optimised {
-        /// Texels a side of the bell: 3, 5 or 7.
+        /// The width of the bell: 3, 5 or 7 texels a side.
         size: u32,
     },
     /// A fixed table of points on a disc (opengl-tutorial 16).
     Poisson(Disc),
-    /// Points picked at random from that table, at each place others (opengl-tutorial 16).
+    /// Points drawn at random from that table, other ones for each receiver (opengl-tutorial 16).
     Stratified(Disc),
-    /// That table, at each place turned by another angle.
+    /// That table, rotated by another angle for each receiver.
     Rotated(Disc),
-    /// A spiral of equal areas (Vogel 1979), at each place turned by another angle.
+    /// A spiral of equal areas (Vogel 1979), rotated by another angle for each receiver.
     Vogel(Disc),
     /// What the pixel covers of the map.
     Footprint(Footprint),
@@ -66,159 +105,169 @@ pub enum Filter {
     Mssm(SoftMoments),
 }
 
-impl Filter {
-    /// What is stored instead of depth, of a map that is `depth_metres` deep; `None` where depths themselves are read.
-    pub fn moments(&self, depth_metres: f32) -> Option<Moments> {
-        let least_variance =
-            (self.min_standard_deviation_metres() / depth_metres.max(f32::MIN_POSITIVE)).powi(2);
-        match self {
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
-            Self::Footprint(_) | Self::Pcss(_) => None,
-            Self::Vsm(Variance { light_bleed_reduction, .. })
-            | Self::Savsm(SummedVariance { light_bleed_reduction, .. }) => Some(Moments::Vsm(moments::Vsm {
-                least_variance,
-                light_bleed_reduction: *light_bleed_reduction,
-            })),
-            Self::Esm(of) => Some(Moments::Esm(moments::Esm { exponent: of.exponent })),
-            Self::Evsm2(of) => {
-                let (exponent, _) = of.exponents();
-                Some(Moments::Evsm2(moments::Evsm2 {
-                    exponent,
-                    least_variance,
-                    light_bleed_reduction: of.light_bleed_reduction,
-                }))
+/// Makes of a list of filters all that must know every one of them.
+macro_rules! filters {
+    ($($kind:path: $variant:pat => $technique:expr, starts as $start:expr;)+) => {
+        /// What the schema has of every filter, in the order of `filter.kind`.
+        pub(crate) const KINDS: &[&Kind] = &[$(&$kind),+];
+
+        const CHOICES: &[Choice] = &[$($kind.choice),+];
+
+        impl Filter {
+            /// Asks the filter's own file.
+            fn ask<R>(&self, question: impl FnOnce(&dyn Technique) -> R) -> R {
+                match self { $($variant => question(&$technique)),+ }
             }
-            Self::Evsm4(of) => {
-                let (positive, negative) = of.exponents();
-                Some(Moments::Evsm4(moments::Evsm4 {
-                    positive,
-                    negative,
-                    least_variance,
-                    light_bleed_reduction: of.light_bleed_reduction,
-                }))
-            }
-            Self::Msm(of) => Some(Moments::Msm(Msm {
-                light_bleed_reduction: of.light_bleed_reduction,
-                ..match of.precision {
-                    MomentPrecision::F32 => Msm::F32,
-                    MomentPrecision::U16 => Msm::UNORM16,
-                }
-            })),
-            Self::Mssm(of) => Some(Moments::Msm(Msm {
-                light_bleed_reduction: of.light_bleed_reduction,
-                ..Msm::in_steps(self.sum_steps())
-            })),
-        }
-    }
 
-    /// The least deviation of depth that its moments count with, metres; 0 where it asks for none.
-    pub fn min_standard_deviation_metres(&self) -> f32 {
-        match self {
-            Self::Vsm(Variance { min_standard_deviation, .. })
-            | Self::Savsm(SummedVariance { min_standard_deviation, .. })
-            | Self::Evsm2(ExponentialVariance { min_standard_deviation, .. })
-            | Self::Evsm4(ExponentialVariance { min_standard_deviation, .. }) => *min_standard_deviation,
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => 0.0,
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => 0.0,
-            Self::Footprint(_) | Self::Pcss(_) | Self::Esm(_) | Self::Msm(_) | Self::Mssm(_) => 0.0,
-        }
-    }
-
-    /// How its map of moments is made smooth; `None` where it has none, or sums of them.
-    pub fn prefilter(&self) -> Option<&Prefilter> {
-        match self {
-            Self::Vsm(Variance { prefilter, .. })
-            | Self::Esm(Exponential { prefilter, .. })
-            | Self::Evsm2(ExponentialVariance { prefilter, .. })
-            | Self::Evsm4(ExponentialVariance { prefilter, .. })
-            | Self::Msm(FourMoments { prefilter, .. }) => Some(prefilter),
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => None,
-            Self::Footprint(_) | Self::Pcss(_) => None,
-            Self::Savsm(_) | Self::Mssm(_) => None,
-        }
-    }
-
-    /// How large it takes lights to be; `None` where it does not ask.
-    pub fn light_size(&self) -> Option<LightSize> {
-        match self {
-            Self::Pcss(Pcss { light, .. }) | Self::Mssm(SoftMoments { light, .. }) => Some(*light),
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => None,
-            Self::Poisson(_)
-            | Self::Stratified(_)
-            | Self::Rotated(_)
-            | Self::Vogel(_)
-            | Self::Footprint(_) => None,
-            Self::Vsm(_) | Self::Savsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => {
+            /// The filter of a kind's name, with numbers to start from; `None` where no filter is called so.
+            pub fn of_kind(kind: &str) -> Option<Self> {
+                $(if kind == $kind.choice.name {
+                    return Some($start);
+                })+
                 None
             }
         }
+    };
+}
+
+filters! {
+    // What the schema has of it: its variant => what answers for it, and the numbers to start from.
+    hard::KIND: Self::Hard {} => hard::Hard, starts as Self::Hard {};
+    bilinear::KIND: Self::Bilinear {} => bilinear::Bilinear, starts as Self::Bilinear {};
+    pcf::KIND: Self::Pcf { size } => pcf::Pcf { size: *size }, starts as Self::Pcf { size: 5 }; // as wide as the discs
+    optimised::KIND: Self::Optimised { size } => optimised::Optimised { size: *size }, starts as Self::Optimised { size: 3 };
+    poisson::KIND: Self::Poisson(of) => poisson::Poisson(*of), starts as Self::Poisson(Disc::default());
+    stratified::KIND: Self::Stratified(of) => stratified::Stratified(*of), starts as Self::Stratified(Disc::default());
+    rotated::KIND: Self::Rotated(of) => rotated::Rotated(*of), starts as Self::Rotated(Disc::default());
+    vogel::KIND: Self::Vogel(of) => vogel::Vogel(*of), starts as Self::Vogel(Disc::default());
+    footprint::KIND: Self::Footprint(of) => *of, starts as Self::Footprint(Footprint::default());
+    pcss::KIND: Self::Pcss(of) => *of, starts as Self::Pcss(Pcss::default());
+    vsm::KIND: Self::Vsm(of) => *of, starts as Self::Vsm(Variance::default());
+    savsm::KIND: Self::Savsm(of) => *of, starts as Self::Savsm(SummedVariance::default());
+    esm::KIND: Self::Esm(of) => *of, starts as Self::Esm(Exponential::default());
+    evsm2::KIND: Self::Evsm2(of) => evsm2::GrowingExponential(*of), starts as Self::Evsm2(ExponentialVariance::default());
+    evsm4::KIND: Self::Evsm4(of) => evsm4::BothExponentials(*of), starts as Self::Evsm4(ExponentialVariance::default());
+    msm::KIND: Self::Msm(of) => *of, starts as Self::Msm(FourMoments::default());
+    mssm::KIND: Self::Mssm(of) => *of, starts as Self::Mssm(SoftMoments::default());
+}
+
+/// The row of `filter.kind`.
+pub(crate) const KIND: Key = Key {
+    name: "filter.kind",
+    label: "kind",
+    help: "How a map is read. Each kind has its own numbers.",
+    costs: &Cost::ALL,
+    values: Values::Choice(CHOICES),
+    ..Key::of(Group::Filter)
+};
+
+impl Filter {
+    /// The filter's name, as `filter.kind` of a settings file has it.
+    pub fn kind(&self) -> &'static str {
+        self.ask(|technique| technique.kind().choice.name)
     }
 
-    /// Steps that make a moment of 1 in a summed-area table of 32-bit whole numbers: as many as let the widest box hold no
-    /// more than 2³² − 1.
-    pub fn sum_steps(&self) -> f32 {
-        // A box that cuts texels on both sides counts one more.
-        let side = f64::from(2.0 * self.reach_texels()).ceil() + 1.0;
-        (f64::from(u32::MAX) / (side * side)).floor() as f32
+    /// The rows of the filter's own numbers in the schema, in a panel's order.
+    pub fn keys(&self) -> &'static [Key] {
+        self.ask(|technique| technique.kind().keys)
+    }
+
+    /// The family that the filter stands in.
+    pub fn family(&self) -> Family {
+        self.ask(|technique| technique.family())
+    }
+
+    /// What lookups read: depths, or what is made of them first.
+    pub fn stores(&self) -> Stored {
+        self.ask(|technique| technique.stores())
+    }
+
+    /// Whether lookups compare depths; otherwise they read moments.
+    pub fn compares_depths(&self) -> bool {
+        self.stores() == Stored::Depths
+    }
+
+    /// Whether one of its comparisons weighs four texels bilinearly, as a sampler with a linear filter does; otherwise it
+    /// is the nearest texel's.
+    pub fn is_bilinear(&self) -> bool {
+        self.ask(|technique| technique.is_bilinear())
+    }
+
+    /// Whether shaders must read depths as numbers, and not only compare with them. An adapter whose shaders cannot
+    /// supports only filters that answer `false`.
+    pub fn reads_depth_values(&self) -> bool {
+        self.light_size().is_some() || !self.compares_depths()
+    }
+
+    /// How large the filter takes a light to be that has no size of its own; `None` where it does not ask.
+    pub fn light_size(&self) -> Option<LightSize> {
+        self.ask(|technique| technique.light_size())
     }
 
     /// How far a lookup may reach from its centre, texels: a nearest lookup half a texel, a bilinear one a whole.
     pub fn reach_texels(&self) -> f32 {
-        match self {
-            Self::Hard {} => 0.5,
-            Self::Bilinear {} => 1.0,
-            Self::Pcf { size } | Self::Optimised { size } => 0.5 * *size as f32 + 0.5,
-            Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
-                disc.radius_texels.max(0.5) * disc.farthest() + 1.0
-            }
-            Self::Footprint(Footprint { max_texels, .. })
-            | Self::Pcss(Pcss { max_texels, .. })
-            | Self::Mssm(SoftMoments { max_texels, .. }) => max_texels + 1.0,
-            Self::Savsm(SummedVariance { radius_texels, .. }) => radius_texels.max(0.5) + 1.0,
-            Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => {
-                self.prefilter().map_or(1.0, |of| (of.downsample * (of.blur_texels + 1)) as f32)
-            }
-        }
+        self.ask(|technique| technique.reach_texels())
     }
 
-    /// How much of that the offset along the normal must cover in a view whose texels have this side, texels. Penumbrae
-    /// begin at nothing; moments know the slope of what they hold.
+    /// How much of that an offset along the normal must cover in a view whose texels have this side in metres, texels.
+    /// Penumbrae begin at nothing; moments know the slope of what they hold.
     pub fn offset_reach_texels(&self, texel_metres: f32) -> f32 {
-        match self {
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => {
-                self.reach_texels()
-            }
-            Self::Poisson(disc) | Self::Stratified(disc) | Self::Rotated(disc) | Self::Vogel(disc) => {
-                disc.radius_at(texel_metres) * disc.farthest() + 1.0
-            }
-            Self::Footprint(_) | Self::Pcss(_) | Self::Savsm(_) | Self::Mssm(_) => 1.0,
-            Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => 1.0,
-        }
+        self.ask(|technique| technique.offset_reach_texels(texel_metres))
     }
 
-    /// How far from a receiver its plane is followed, texels; 0 where it is not. A footprint reaches farther where pixels are
-    /// much larger than texels, but planes that steep are then seen edge on.
+    /// How far from a receiver its plane is followed, texels; 0 where it is not.
     pub fn plane_reach_texels(&self) -> f32 {
-        match self {
-            Self::Hard {} | Self::Bilinear {} | Self::Pcf { .. } | Self::Optimised { .. } => {
-                self.reach_texels()
-            }
-            Self::Poisson(_) | Self::Stratified(_) | Self::Rotated(_) | Self::Vogel(_) => self.reach_texels(),
-            Self::Footprint(_) => 1.0,
-            Self::Pcss(_) => self.reach_texels(),
-            Self::Vsm(_) | Self::Esm(_) | Self::Evsm2(_) | Self::Evsm4(_) | Self::Msm(_) => 0.0,
-            Self::Savsm(_) | Self::Mssm(_) => 0.0,
-        }
+        self.ask(|technique| technique.plane_reach_texels())
     }
 
     /// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 40 (88.6°)
     /// where a lookup stays near, and 8 (83°) where it reaches far, since maps need as much room around it. Measured: less
     /// leaves acne on walls along the light.
     pub fn steepest_plane(&self) -> f32 {
-        /// That many texels deep a plane is followed at least, from the receiver to where a lookup ends.
+        /// A plane is followed at least that many texels deep, from the receiver to where a lookup ends.
         const DEEPEST_TEXELS: f32 = 40.0;
         (DEEPEST_TEXELS / self.plane_reach_texels().max(1.0)).clamp(8.0, 40.0)
+    }
+
+    /// The numbers that a receiver's shader is compiled with for this filter: how far lookups reach, and the filter's own.
+    pub fn numbers(&self) -> Vec<ShaderNumber> {
+        let reaches = [
+            ShaderNumber::f32("UMBRAGE_FILTER_REACH", self.reach_texels()),
+            ShaderNumber::f32("UMBRAGE_PLANE_REACH", self.plane_reach_texels()),
+            ShaderNumber::f32("UMBRAGE_STEEPEST_PLANE", self.steepest_plane()),
+        ];
+        reaches.into_iter().chain(self.ask(|technique| technique.numbers())).collect()
+    }
+
+    /// How much light the filter lets through at a place of a map, from 0 to 1.
+    pub(crate) fn visibility(&self, reader: &Reader<'_>, query: &Query) -> f32 {
+        self.ask(|technique| technique.visibility(reader, query))
+    }
+
+    /// Whether every value is in its range, for maps of `resolution` texels a side.
+    pub(crate) fn validate(&self, resolution: u32) -> Result<(), SettingsError> {
+        self.ask(|technique| technique.validate())?;
+        self.check_tile(resolution)
+    }
+
+    /// Whether it fits tiles of so many texels a side.
+    pub(crate) fn check_tile(&self, resolution: u32) -> Result<(), SettingsError> {
+        let wanted = |key, value, wanted: &str| {
+            Err(SettingsError::OutOfRange { key, value, wanted: wanted.to_owned() })
+        };
+        let downsample = match self.stores() {
+            Stored::Prefiltered { prefilter, .. } => prefilter.downsample.max(1),
+            Stored::Depths | Stored::Summed { .. } => 1,
+        };
+        if !resolution.is_multiple_of(downsample) {
+            let even = "an even number of texels, since `filter.prefilter.downsample` is 2";
+            return wanted("resolution", f64::from(resolution), even);
+        }
+        let reach = f64::from(self.reach_texels());
+        if (0.0..=0.25 * f64::from(resolution)).contains(&reach) {
+            return Ok(());
+        }
+        let narrow = "a filter that reaches no farther than a quarter of `resolution`: make it narrower, or the maps larger";
+        wanted("filter", reach, narrow)
     }
 }

@@ -1,7 +1,7 @@
 //! Where the comparisons of a filter lie around a receiver, and what they weigh.
 //!
-//! Sources: H. Vogel 1979, *A better way to construct the sunflower head*; J. Jimenez, SIGGRAPH 2014 (the noise that turns
-//! it); opengl-tutorial 16 (the table of points). Space: the unit disc, around the receiver.
+//! Sources: H. Vogel 1979, *A better way to construct the sunflower head*; J. Jimenez, SIGGRAPH 2014 (the noise that
+//! rotates it); opengl-tutorial 16 (the table of points). Space: the unit disc, around the receiver.
 
 use glam::{Vec2, Vec3, Vec4};
 
@@ -69,8 +69,13 @@ pub fn world_noise(position: Vec3) -> f32 {
     (pcg(x.wrapping_add(pcg(y.wrapping_add(pcg(z))))) >> 8) as f32 / 16_777_216.0
 }
 
-/// Which of 16 points is picked as the `i`th at a place with this noise.
-pub fn picked(i: u32, noise: f32) -> usize {
+/// The rotation of a receiver with this noise, as a unit vector.
+pub fn rotation(noise: f32) -> Vec2 {
+    Vec2::from_angle(std::f32::consts::TAU * noise)
+}
+
+/// The index of the `i`th of the 16 points that a receiver with this noise compares, drawn at random.
+pub fn stratified(i: u32, noise: f32) -> usize {
     (pcg(((noise * 16_777_216.0) as u32).wrapping_mul(64).wrapping_add(i)) % 16) as usize
 }
 
@@ -141,12 +146,12 @@ mod tests {
     }
 
     #[test]
-    fn every_point_is_picked_as_often_and_neighbouring_millimetres_differ() {
+    fn every_point_is_drawn_as_often_and_neighbouring_millimetres_differ() {
         let mut counts = [0; 16];
         let noises: Vec<f32> =
             (0..1000).map(|i| world_noise(Vec3::new(i as f32 * 1e-3 + 5e-4, 2.0, -3.0))).collect();
         for noise in &noises {
-            (0..16).for_each(|i| counts[picked(i, *noise)] += 1);
+            (0..16).for_each(|i| counts[stratified(i, *noise)] += 1);
         }
         assert!(counts.iter().all(|count| (850..1150).contains(count)), "{counts:?}");
         assert!(noises.windows(2).all(|pair| pair[0] != pair[1]), "one place, one number");

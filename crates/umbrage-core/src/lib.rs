@@ -18,7 +18,6 @@ mod bias;
 mod bounds;
 mod camera;
 mod casters;
-mod check;
 mod contact;
 mod convex;
 mod cull;
@@ -33,6 +32,7 @@ pub mod kernel;
 mod light;
 mod light_frustum;
 mod light_projection;
+mod lookup;
 mod moments;
 mod plan;
 mod plane;
@@ -64,11 +64,13 @@ pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
 pub use filter::{
-    Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments, LightSize, MomentPrecision,
-    NoiseSource, Pcss, Prefilter, SoftMoments, SummedVariance, Variance,
+    Disc, Exponential, ExponentialVariance, Family, Filter, Footprint, FourMoments, LightSize,
+    MomentPrecision, MomentTexel, NoiseSource, Pcss, Prefilter, ShaderNumber, ShaderValue, SoftMoments,
+    Stored, SummedVariance, TexelPrecision, Variance,
 };
 pub use fit::Fit;
 pub use light::{Light, LightKind};
+pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, view_of};
 pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use plane::Plane;

@@ -25,6 +25,8 @@ mod vectors;
 
 use glam::{Vec2, Vec4};
 
+use crate::filter::shader::ShaderNumber;
+
 pub use esm::Esm;
 pub use evsm::{Evsm2, Evsm4};
 pub use exponent::{Exponent, Precision};
@@ -47,6 +49,17 @@ pub enum Moments {
 }
 
 impl Moments {
+    /// The name of the moments, which is that of their shader file.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Vsm(_) => "vsm",
+            Self::Esm(_) => "esm",
+            Self::Evsm2(_) => "evsm2",
+            Self::Evsm4(_) => "evsm4",
+            Self::Msm(_) => "msm",
+        }
+    }
+
     /// What one depth is stored as. `slope` is how much depth grows from a texel to the next, to the right and downward;
     /// only [`Vsm`] asks for it.
     pub fn of_depth(&self, depth: f32, slope: Vec2) -> Vec4 {
@@ -85,6 +98,31 @@ impl Moments {
             Self::Evsm2(evsm) => evsm.visibility(moments, depth),
             Self::Evsm4(evsm) => evsm.visibility(moments, depth),
             Self::Msm(msm) => msm.visibility(moments, depth),
+        }
+    }
+
+    /// The numbers that their shader text is compiled with. The smallest variance is none of them, since it depends on how
+    /// deep a map is.
+    pub fn numbers(&self) -> Vec<ShaderNumber> {
+        let bleed = |reduction| ShaderNumber::f32("UMBRAGE_MOMENTS_LIGHT_BLEED_REDUCTION", reduction);
+        let exponent = |exponent| ShaderNumber::f32("UMBRAGE_MOMENTS_EXPONENT", exponent);
+        match *self {
+            Self::Vsm(Vsm { min_variance: _, light_bleed_reduction }) => vec![bleed(light_bleed_reduction)],
+            Self::Esm(Esm { exponent: steepness }) => vec![exponent(steepness)],
+            Self::Evsm2(Evsm2 { exponent: growing, min_variance: _, light_bleed_reduction }) => {
+                vec![exponent(growing.get()), bleed(light_bleed_reduction)]
+            }
+            Self::Evsm4(Evsm4 { positive, negative, min_variance: _, light_bleed_reduction }) => vec![
+                exponent(positive.get()),
+                ShaderNumber::f32("UMBRAGE_MOMENTS_NEGATIVE_EXPONENT", negative.get()),
+                bleed(light_bleed_reduction),
+            ],
+            Self::Msm(Msm { bias, centre, light_bleed_reduction }) => vec![
+                ShaderNumber::f32("UMBRAGE_MOMENTS_BIAS", bias),
+                ShaderNumber::f32("UMBRAGE_MOMENTS_CENTRE", centre),
+                bleed(light_bleed_reduction),
+                ShaderNumber::f32("UMBRAGE_MOMENTS_LEAST_SHARE", Msm::MIN_SHARE),
+            ],
         }
     }
 }

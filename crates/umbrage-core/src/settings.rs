@@ -1,24 +1,22 @@
 //! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
 
-mod bias;
-mod shade;
+pub(crate) mod bias;
+mod limits;
+pub(crate) mod maps;
+pub(crate) mod shade;
+pub(crate) mod splits;
 
-pub use bias::{Bias, CasterFaces, DepthLayer};
-pub use shade::Shade;
-
-use crate::SettingsError;
-use crate::check::{check, check_given};
 use crate::contact::Contact;
+use crate::error::SettingsError;
 use crate::filter::Filter;
 use crate::fit::Fit;
-use crate::schema;
 use crate::warp::Warp;
 
-/// The most splits a light can have (Ferko 2010, listing 4.13).
-pub const MAX_SPLITS: usize = 9;
-
-/// The most lights one plan can hold.
-pub const MAX_LIGHTS: usize = 16;
+pub use bias::{Bias, CasterFaces, DepthLayer};
+pub use limits::{MAX_LIGHTS, MAX_SPLITS};
+pub use maps::{DepthFormat, Select, Storage};
+pub use shade::Shade;
+pub use splits::Scheme;
 
 /// How shadows are made. [`Settings::default`] is the preset `default`.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,72 +68,6 @@ pub struct Settings {
     pub contact: Option<Contact>,
     /// What a shadow does to the picture.
     pub shade: Shade,
-}
-
-/// How cuts are placed. Zhang et al. 2006, eqs. 4–7.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Scheme {
-    /// A mix of logarithmic and uniform by λ.
-    Practical,
-    /// Equal slices.
-    Uniform,
-    /// Slices of equal ratio.
-    Logarithmic,
-    /// Given in metres.
-    Manual,
-}
-
-/// What a texel of a shadow map is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum DepthFormat {
-    /// 32-bit float.
-    F32,
-    /// 16-bit unsigned, normalised.
-    U16,
-}
-
-impl DepthFormat {
-    /// Bytes a texel.
-    pub fn bytes(self) -> u64 {
-        match self {
-            Self::F32 => 4,
-            Self::U16 => 2,
-        }
-    }
-
-    /// How much a stored depth may differ from the one that was drawn, of a range of 1. Lookups stand off by it.
-    pub fn step(self) -> f32 {
-        match self {
-            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; a
-            // lamp's depth is steep far away, and there it counts.
-            Self::F32 => f32::EPSILON,
-            Self::U16 => 1.0 / 65535.0,
-        }
-    }
-}
-
-/// Where the views' tiles lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Storage {
-    /// Each in a layer of its own.
-    Array,
-    /// Side by side in one layer.
-    Atlas,
-}
-
-/// How a receiver finds its view.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Select {
-    /// By view depth.
-    Depth,
-    /// By the camera's clip depth (Zhang et al. 2006, eq. 8, corrected).
-    ClipDepth,
-    /// The finest view whose map holds the whole filter footprint.
-    Map,
 }
 
 impl Default for Settings {
@@ -198,13 +130,13 @@ impl Settings {
             contact,
             shade,
         } = self;
-        check(&schema::splits::SPLITS, *splits)?;
-        check(&schema::splits::SPOT_SPLITS, *spot_splits)?;
-        check(&schema::maps::BLEND, *blend)?;
-        check(&schema::splits::LAMBDA, *lambda)?;
-        check(&schema::splits::SPLIT_BIAS, *split_bias)?;
-        check_given(&schema::splits::DISTANCE, *distance)?;
-        check_given(&schema::splits::NEAR, *near)?;
+        splits::SPLITS.check(*splits)?;
+        splits::SPOT_SPLITS.check(*spot_splits)?;
+        maps::BLEND.check(*blend)?;
+        splits::LAMBDA.check(*lambda)?;
+        splits::SPLIT_BIAS.check(*split_bias)?;
+        splits::DISTANCE.check_given(*distance)?;
+        splits::NEAR.check_given(*near)?;
         check_resolution(*resolution)?;
         if *fit == Fit::Stable && *warp != Warp::None {
             return Err(SettingsError::Conflict {
@@ -236,7 +168,7 @@ impl Settings {
 
 /// Whether a tile may have so many texels a side.
 pub(crate) fn check_resolution(texels: u32) -> Result<(), SettingsError> {
-    check(&schema::maps::RESOLUTION, texels)
+    maps::RESOLUTION.check(texels)
 }
 
 #[cfg(test)]

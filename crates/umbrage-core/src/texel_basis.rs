@@ -1,5 +1,5 @@
 //! How a view's texels lie at one point of the world: how long their sides are there, and how the depth of a surface
-//! changes from one to the next. One form for every view, parallel, from a tip or warped.
+//! changes from one to the next. One form for every view, parallel, from an apex or warped.
 //!
 //! A row r of the matrix gives r·p / w·p; moving p by d changes that by (r − (r·p / w·p) w)·d / w·p. For the rows of x and
 //! y these gradients g_u and g_v, in texels a metre, are across the light's ray, as x and y are the same all along it.

@@ -48,11 +48,11 @@ fn every_row_is_of_some_settings() {
         assert!(samples().iter().any(|(_, sample)| keys_of(sample).any(|key| key == row)), "`{}`", row.name);
         assert_eq!(key(row.name).map(|key| key.name), Some(row.name));
         let kinds = key(&format!("{}.kind", row.name.split('.').next().unwrap_or_default()));
-        for kind in row.kinds {
+        for kind in row.kinds() {
             let Some(Values::Choice(choices)) = kinds.map(|key| key.values) else {
                 panic!("`{}` is of kinds, and its table has none", row.name)
             };
-            assert!(choices.iter().any(|choice| choice.name == *kind), "`{}`: no kind {kind}", row.name);
+            assert!(choices.iter().any(|choice| choice.name == kind), "`{}`: no kind {kind}", row.name);
         }
     }
     assert_eq!(key("no such key"), None);
@@ -70,7 +70,7 @@ fn everything_has_a_label_of_its_own_and_a_help_of_whole_sentences() {
     let sentence = |help: &str| help.ends_with('.') && !help.contains("  ");
     for row in keys() {
         assert!(!row.label.is_empty() && sentence(row.help), "`{}`: {}", row.name, row.help);
-        assert_eq!(row.wanted.is_empty(), matches!(row.values, Values::Choice(_)), "`{}`", row.name);
+        assert_eq!(row.wanted().is_empty(), matches!(row.values, Values::Choice(_)), "`{}`", row.name);
         if let Values::Choice(choices) = row.values {
             for choice in choices {
                 assert!(!choice.label.is_empty() && sentence(choice.help), "{}", choice.name);

@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn what_is_absent_can_be_given_and_left_out_again() {
         let settings = Settings::default();
-        for key in schema::keys().filter(|key| key.kinds.is_empty()) {
+        for key in schema::keys().filter(|key| key.kinds().is_empty()) {
             let Some(absent) = key.absent else { continue };
             let start: Value = format!("v = {}", absent.start).parse::<Table>().unwrap().remove("v").unwrap();
             let given = with(&settings, key, Some(start)).unwrap();

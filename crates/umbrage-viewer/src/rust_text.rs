@@ -129,7 +129,7 @@ mod tests {
         let mut copied = 0;
         for key in schema::keys() {
             let Values::Choice(choices) = key.values else { continue };
-            let kinds = if key.kinds.is_empty() { &[""][..] } else { key.kinds };
+            let kinds = if key.kinds().is_empty() { vec![""] } else { key.kinds() };
             for (kind, choice) in
                 kinds.iter().flat_map(|kind| choices.iter().map(move |choice| (kind, choice)))
             {

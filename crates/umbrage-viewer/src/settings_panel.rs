@@ -126,8 +126,9 @@ fn start(text: &str) -> Option<Value> {
 /// What to say of a key on hover.
 fn help(key: &Key) -> String {
     let mut text = format!("{}\n\n{}", key.name, key.help);
-    if !key.wanted.is_empty() {
-        text += &format!("\n\n{}", key.wanted);
+    let wanted = key.wanted();
+    if !wanted.is_empty() {
+        text += &format!("\n\n{wanted}");
     }
     if !key.source.is_empty() {
         text += &format!("\n\n{}", key.source);
@@ -163,18 +164,18 @@ fn widget(ui: &mut egui::Ui, key: &'static Key, now: &Value) -> Option<Value> {
             }
             chosen
         }
-        Values::Whole { least, most, slide, logarithmic, .. } => {
+        Values::Whole { min, max, slide, logarithmic, .. } => {
             let mut number = now.as_integer()?;
             let slider = slider(egui::Slider::new(&mut number, slide[0]..=slide[1]), key, logarithmic);
             let response = add(ui, key, slider);
             let changed = response.changed();
-            changed.then(|| Value::Integer(number.clamp(least, most)))
+            changed.then(|| Value::Integer(number.clamp(min, max)))
         }
-        Values::Number { least, most, slide, logarithmic } => {
+        Values::Number { min, max, slide, logarithmic } => {
             let mut number = now.as_float()?;
             let slider = egui::Slider::new(&mut number, slide[0]..=slide[1]).max_decimals(4);
             let response = add(ui, key, self::slider(slider, key, logarithmic));
-            response.changed().then(|| Value::Float(number.clamp(least, most)))
+            response.changed().then(|| Value::Float(number.clamp(min, max)))
         }
         Values::Choice(choices) => {
             let now = now.as_str()?;

@@ -106,7 +106,7 @@ fn every_choice_says_what_it_does_and_every_number_its_range() {
             Values::Choice(choices) => {
                 choices.iter().for_each(|choice| assert!(!choice.help.is_empty(), "{}", choice.name));
             }
-            _ => assert!(!key.wanted.is_empty(), "{}", key.name),
+            _ => assert!(!key.wanted().is_empty(), "{}", key.name),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What receivers' shaders read: the frame, the maps, and what a filter has made of them.
 
-use umbrage_core::Filter;
+use umbrage_core::{Filter, Prefilter};
 
 use crate::capabilities::Capabilities;
 use crate::compute::{DEPTH_MAPS, frame_entry};
@@ -32,13 +32,12 @@ pub(crate) fn layout(
         entry(1, DEPTH_MAPS),
         entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
     ];
-    if filter.prefilter().is_some() {
-        let filterable = MomentFormat::of(filter, capabilities).is_filterable;
+    if let Some(MomentFormat { is_filterable: filterable, .. }) = MomentFormat::of(filter, capabilities) {
         entries.push(entry(3, array_of(wgpu::TextureSampleType::Float { filterable })));
         if filterable {
             entries.push(entry(4, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)));
         }
-    } else if filter.moments(1.0).is_some() {
+    } else if !filter.compares_depths() {
         entries.push(entry(3, array_of(wgpu::TextureSampleType::Uint)));
     }
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -56,14 +55,15 @@ pub(crate) fn group(
     read: &Read<'_>,
 ) -> wgpu::BindGroup {
     let comparison = comparison_sampler(device, filter);
-    let smooth = smooth_sampler(device, filter);
+    let format = MomentFormat::of(filter, capabilities);
+    let smooth = smooth_sampler(device, &format.map(|format| format.prefilter).unwrap_or_default());
     let mut resources = vec![
         read.frame.as_entire_binding(),
         wgpu::BindingResource::TextureView(read.maps),
         wgpu::BindingResource::Sampler(&comparison),
     ];
     resources.extend(read.filtered.map(wgpu::BindingResource::TextureView));
-    if filter.prefilter().is_some() && MomentFormat::of(filter, capabilities).is_filterable {
+    if format.is_some_and(|format| format.is_filterable) {
         resources.push(wgpu::BindingResource::Sampler(&smooth));
     }
     let entries: Vec<_> =
@@ -77,8 +77,7 @@ pub(crate) fn group(
 
 /// Lit where the reference is not greater than what is stored.
 fn comparison_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
-    let is_hard = matches!(filter, Filter::Hard {});
-    let mode = if is_hard { wgpu::FilterMode::Nearest } else { wgpu::FilterMode::Linear };
+    let mode = if filter.is_bilinear() { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
     device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("Shadows::comparison_sampler"),
         mag_filter: mode,
@@ -89,8 +88,7 @@ fn comparison_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
 }
 
 /// For moments.
-fn smooth_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
-    let prefilter = filter.prefilter().copied().unwrap_or_default();
+fn smooth_sampler(device: &wgpu::Device, prefilter: &Prefilter) -> wgpu::Sampler {
     device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("Shadows::smooth_sampler"),
         mag_filter: wgpu::FilterMode::Linear,

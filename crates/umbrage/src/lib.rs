@@ -31,7 +31,6 @@ mod contact;
 mod error;
 mod gpu_types;
 mod layers;
-mod lookup;
 mod maps;
 mod moments;
 mod prefilter;
@@ -43,8 +42,6 @@ pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
 pub use contact::{ContactShadows, contact_wgsl};
 pub use error::ShadowError;
-pub use lookup::{Lookup, Place, Query, view_of};
-pub use maps::MapTexels;
 #[doc(hidden)]
 pub use moments::{moments_wgsl, msm_blocker_wgsl};
 pub use shadows::Shadows;

@@ -4,16 +4,15 @@
 //! every layer is halved to as many sizes as are wanted. `shaders/prefilter/` has the steps, `shaders/moments/` what is
 //! stored.
 
-use umbrage_core::kernel::gaussian;
-use umbrage_core::{Filter, MapLayout, MomentPrecision, Precision, Prefilter, ShadowPlan};
+use umbrage_core::{Filter, MapLayout, Prefilter, ShadowPlan, Stored, TexelPrecision};
 
 use crate::capabilities::Capabilities;
 use crate::compute::{DEPTH_MAPS, Inputs, Kernel, Step, layer_of, layer_view};
-use crate::moments::moments_wgsl;
-use crate::wgsl::{DEPTH, FRAME};
+use crate::moments::moments_files;
+use crate::wgsl::{DEPTH, FRAME, declared};
 
 /// What a texel of moments is on a device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct MomentFormat {
     pub format: wgpu::TextureFormat,
     /// What WGSL calls it.
@@ -22,39 +21,41 @@ pub(crate) struct MomentFormat {
     pub is_filterable: bool,
     /// Whether shaders round to 16 bits what the format would not.
     rounds: bool,
+    /// How many sizes are made: one, where samplers do not choose among them.
+    pub levels: u32,
+    /// How they are made smooth.
+    pub prefilter: Prefilter,
+    /// Which moments they are.
+    moments: &'static str,
 }
 
 impl MomentFormat {
-    /// What a filter's moments are stored in.
-    pub fn of(filter: &Filter, capabilities: Capabilities) -> Self {
+    /// What a filter's moments are stored in; `None` for a filter that has none, or sums of them.
+    pub fn of(filter: &Filter, capabilities: Capabilities) -> Option<Self> {
         use wgpu::TextureFormat as F;
-        let wide =
-            |format, name| Self { format, name, is_filterable: capabilities.filters_float32, rounds: false };
-        let narrow = |format, name| Self { format, name, is_filterable: true, rounds: false };
-        match filter {
-            Filter::Esm(_) => wide(F::R32Float, "r32float"),
-            Filter::Vsm(_) => wide(F::Rg32Float, "rg32float"),
-            Filter::Evsm2(of) => match of.precision {
-                Precision::F32 => wide(F::Rg32Float, "rg32float"),
-                Precision::F16 if capabilities.writes_two_float16 => narrow(F::Rg16Float, "rg16float"),
-                Precision::F16 => narrow(F::Rgba16Float, "rgba16float"),
-            },
-            Filter::Evsm4(of) if of.precision == Precision::F16 => narrow(F::Rgba16Float, "rgba16float"),
-            Filter::Msm(of) if of.precision == MomentPrecision::U16 => {
-                if capabilities.has_unorm16 {
-                    narrow(F::Rgba16Unorm, "rgba16unorm")
-                } else {
-                    Self { rounds: true, ..wide(F::Rgba32Float, "rgba32float") }
-                }
+        let Stored::Prefiltered { texel, precision, prefilter } = filter.stores() else { return None };
+        let is_filterable = precision == TexelPrecision::F16 || capabilities.filters_float32;
+        let levels = |is_filterable| if is_filterable { prefilter.mip_levels } else { 1 };
+        let of = |format, name| Self {
+            format,
+            name,
+            is_filterable,
+            rounds: false,
+            levels: levels(is_filterable),
+            prefilter,
+            moments: texel.moments,
+        };
+        Some(match (precision, texel.channels) {
+            (TexelPrecision::F32, 1) => of(F::R32Float, "r32float"),
+            (TexelPrecision::F32, 2) => of(F::Rg32Float, "rg32float"),
+            (TexelPrecision::F32, _) => of(F::Rgba32Float, "rgba32float"),
+            (TexelPrecision::F16, ..=2) if capabilities.writes_two_float16 => of(F::Rg16Float, "rg16float"),
+            (TexelPrecision::F16, _) => of(F::Rgba16Float, "rgba16float"),
+            (TexelPrecision::U16, _) if capabilities.has_unorm16 => {
+                Self { is_filterable: true, levels: levels(true), ..of(F::Rgba16Unorm, "rgba16unorm") }
             }
-            // Those without moments of their own are not asked.
-            _ => wide(F::Rgba32Float, "rgba32float"),
-        }
-    }
-
-    /// How many sizes are wanted: one, where samplers do not choose among them.
-    pub fn levels(&self, prefilter: &Prefilter) -> u32 {
-        if self.is_filterable { prefilter.mip_levels } else { 1 }
+            (TexelPrecision::U16, _) => Self { rounds: true, ..of(F::Rgba32Float, "rgba32float") },
+        })
     }
 }
 
@@ -83,18 +84,18 @@ impl MomentMaps {
         depths: &wgpu::TextureView,
         layout: MapLayout,
     ) -> Option<Self> {
-        let prefilter = *filter.prefilter()?;
-        let format = MomentFormat::of(filter, capabilities);
+        let format = MomentFormat::of(filter, capabilities)?;
+        let prefilter = format.prefilter;
         let size = [layout.width, layout.height].map(|side| side.div_ceil(prefilter.downsample));
         // No texture has a size below one texel.
-        let levels = format.levels(&prefilter).min(size[0].max(size[1]).max(1).ilog2() + 1);
+        let levels = format.levels.min(size[0].max(size[1]).max(1).ilog2() + 1);
         let layers = layout.layers.max(capabilities.least_layers);
         let made = texture(inputs.device, format.format, size, layers, levels);
         let scratch_side = if prefilter.blur_texels > 0 { size[0].min(size[1]) } else { 1 };
         let scratch = texture(inputs.device, format.format, [scratch_side; 2], 1, 1);
         let scratch = layer_view(&scratch, 0, 0);
         let kernel = |step: &str, entry: &str, read| {
-            let text = text(filter, &prefilter, format, step);
+            let text = text(filter, format, step);
             Kernel::new(inputs.device, &text, entry, read, format.format)
         };
         let stored = layer_of(wgpu::TextureSampleType::Float { filterable: false });
@@ -173,22 +174,12 @@ pub(crate) fn texture(
 }
 
 /// A step's text, with what stands before it.
-fn text(filter: &Filter, prefilter: &Prefilter, format: MomentFormat, step: &str) -> String {
+fn text(filter: &Filter, format: MomentFormat, step: &str) -> String {
     let stored = if format.rounds {
         include_str!("../shaders/prefilter/rounded.wgsl")
     } else {
         include_str!("../shaders/prefilter/as_it_is.wgsl")
     };
-    let weights: Vec<String> =
-        gaussian(prefilter.blur_texels).iter().map(|weight| format!("{weight:?}")).collect();
-    let numbers = format!(
-        "const UMBRAGE_DOWNSAMPLE: u32 = {}u;\nconst UMBRAGE_BLUR: i32 = {};\nconst UMBRAGE_WEIGHTS = array<f32, {}>({});\n",
-        prefilter.downsample,
-        prefilter.blur_texels,
-        weights.len(),
-        weights.join(", "),
-    );
-    // What is stored of a depth does not depend on how deep the map is.
-    let moments = filter.moments(1.0).map(|moments| moments_wgsl(&moments)).unwrap_or_default();
+    let (numbers, moments) = (declared(&filter.numbers()), moments_files(format.moments));
     [FRAME, DEPTH, &numbers, &moments, stored, step].join("\n").replace("UMBRAGE_FORMAT", format.name)
 }

@@ -1,8 +1,8 @@
 //! The façade: what a renderer holds to have shadows.
 
 use umbrage_core::{
-    Allocation, Bounds, Camera, DepthLayer, Light, MAX_LIGHTS, MapLayout, PlanError, Settings, ShadowPlan,
-    ShadowView, plan,
+    Allocation, Bounds, Camera, DepthLayer, Light, MAX_LIGHTS, MapLayout, MapTexels, PICTURE_SIZE, PlanError,
+    Settings, ShadowPlan, ShadowView, plan,
 };
 
 use crate::bindings;
@@ -12,7 +12,7 @@ use crate::compute::{Inputs, frame_and_view};
 use crate::error::ShadowError;
 use crate::gpu_types;
 use crate::layers::{Layers, offset};
-use crate::maps::{MapTexels, Maps};
+use crate::maps::Maps;
 use crate::prefilter::MomentMaps;
 use crate::sums::SumMaps;
 use crate::wgsl::receiver_wgsl;
@@ -326,15 +326,10 @@ impl Shadows {
     }
 }
 
-/// The picture that a camera is taken to fill until it is said, pixels.
-pub(crate) const PICTURE_SIZE: [u32; 2] = [1920, 1080];
-
 /// Whether a device can do what settings ask for.
 fn check_supported(settings: &Settings, capabilities: Capabilities) -> Result<(), ShadowError> {
     let Settings { filter, bias, .. } = settings;
-    let loads = filter.light_size().is_some()
-        || filter.moments(1.0).is_some()
-        || bias.depth_layer != DepthLayer::First;
+    let loads = filter.reads_depth_values() || bias.depth_layer != DepthLayer::First;
     if loads && !capabilities.loads_depth {
         return Err(ShadowError::Unsupported {
             what: "a soft filter, a filter of moments, or a second `bias.depth_layer`",

@@ -3,22 +3,13 @@
 //! Source: Crow, SIGGRAPH 1984; in whole numbers that wrap around, Peters et al., JCGT 6 (1), 2017, §4. `shaders/prefilter/sum.wgsl` has
 //! the steps, `shaders/sample/box.wgsl` the reads.
 
-use umbrage_core::{Filter, MapLayout, ShadowPlan};
+use umbrage_core::{Filter, MapLayout, ShadowPlan, Stored};
 
 use crate::capabilities::Capabilities;
 use crate::compute::{DEPTH_MAPS, Inputs, Kernel, Step, layer_of, layer_view};
-use crate::moments::moments_wgsl;
+use crate::moments::moments_files;
 use crate::prefilter::texture;
-use crate::wgsl::{DEPTH, FRAME};
-
-/// The format of a filter's sums, and what WGSL calls it; `None` for a filter that has none.
-fn format(filter: &Filter) -> Option<(wgpu::TextureFormat, &'static str)> {
-    match filter {
-        Filter::Savsm(_) => Some((wgpu::TextureFormat::Rg32Uint, "rg32uint")),
-        Filter::Mssm(_) => Some((wgpu::TextureFormat::Rgba32Uint, "rgba32uint")),
-        _ => None,
-    }
-}
+use crate::wgsl::{DEPTH, FRAME, declared};
 
 /// Sums of all views, and the steps that make them.
 #[derive(Debug)]
@@ -41,11 +32,14 @@ impl SumMaps {
         depths: &wgpu::TextureView,
         layout: MapLayout,
     ) -> Option<Self> {
-        let (format, name) = format(filter)?;
-        let moments = moments_wgsl(&filter.moments(1.0)?);
-        let scale = format!("const UMBRAGE_SUM_SCALE: f32 = {:?};\n", filter.sum_steps());
+        let Stored::Summed { texel, steps: _ } = filter.stores() else { return None };
+        let (format, name) = match texel.channels {
+            ..=2 => (wgpu::TextureFormat::Rg32Uint, "rg32uint"),
+            _ => (wgpu::TextureFormat::Rgba32Uint, "rgba32uint"),
+        };
+        let (numbers, moments) = (declared(&filter.numbers()), moments_files(texel.moments));
         let steps = include_str!("../shaders/prefilter/sum.wgsl");
-        let text = [FRAME, DEPTH, &moments, &scale, steps].join("\n").replace("UMBRAGE_SUM_FORMAT", name);
+        let text = [FRAME, DEPTH, &numbers, &moments, steps].join("\n").replace("UMBRAGE_SUM_FORMAT", name);
         let layers = layout.layers.max(capabilities.least_layers);
         let side = layout.width.min(layout.height);
         let made = texture(inputs.device, format, [layout.width, layout.height], layers, 1);

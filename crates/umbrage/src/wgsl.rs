@@ -2,12 +2,14 @@
 
 use std::fmt::Write as _;
 
-use glam::{Vec2, Vec4};
-use umbrage_core::kernel::{POISSON, spiral, two_squares};
-use umbrage_core::{CompareDepth, Disc, Filter, NoiseSource, RASTER_STEP_TEXELS, Select, Settings, Shade};
+use glam::Vec4;
+use umbrage_core::{
+    CompareDepth, Disc, Filter, NoiseSource, RASTER_STEP_TEXELS, Select, Settings, Shade, ShaderNumber,
+    ShaderValue, Stored,
+};
 
 use crate::capabilities::Capabilities;
-use crate::moments::moments_wgsl;
+use crate::moments::moments_files;
 use crate::prefilter::MomentFormat;
 
 pub(crate) const FRAME: &str = include_str!("../shaders/frame.wgsl");
@@ -67,11 +69,8 @@ pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32
 
 /// The numbers that a pipeline fixes.
 fn constants(settings: &Settings) -> String {
-    let reach = settings.filter.reach_texels();
+    let mut text = declared(&settings.filter.numbers());
     // Writing to a string cannot fail.
-    let mut text = format!("const UMBRAGE_FILTER_REACH: f32 = {reach:?};\n");
-    let _ = writeln!(text, "const UMBRAGE_PLANE_REACH: f32 = {:?};", settings.filter.plane_reach_texels());
-    let _ = writeln!(text, "const UMBRAGE_STEEPEST_PLANE: f32 = {:?};", settings.filter.steepest_plane());
     let _ = writeln!(text, "const UMBRAGE_RASTER_STEP: f32 = {RASTER_STEP_TEXELS:?};");
     if settings.blend > 0.0 {
         let _ = writeln!(text, "const UMBRAGE_BLEND: f32 = {:?};", settings.blend);
@@ -79,7 +78,30 @@ fn constants(settings: &Settings) -> String {
     text
 }
 
-/// The files that define `umbrage_filter` and `umbrage_offset_reach`, with the numbers that they ask for.
+/// A line for each number.
+pub(crate) fn declared(numbers: &[ShaderNumber]) -> String {
+    let line = |ShaderNumber { name, value }: &ShaderNumber| match value {
+        ShaderValue::Bool(value) => format!("const {name}: bool = {value};\n"),
+        ShaderValue::I32(value) => format!("const {name}: i32 = {value};\n"),
+        ShaderValue::U32(value) => format!("const {name}: u32 = {value}u;\n"),
+        ShaderValue::F32(value) => format!("const {name}: f32 = {value:?};\n"),
+        ShaderValue::F32s(list) => array(name, "f32", list, |value| format!("{value:?}")),
+        ShaderValue::Vec2s(list) => array(name, "vec2f", list, |p| format!("vec2f({:?}, {:?})", p.x, p.y)),
+        ShaderValue::Vec4s(list) => array(name, "vec4f", list, |point| vector(*point)),
+    };
+    numbers.iter().map(line).collect()
+}
+
+fn array<T>(name: &str, kind: &str, list: &[T], text: impl Fn(&T) -> String) -> String {
+    let values: Vec<String> = list.iter().map(text).collect();
+    format!("const {name} = array<{kind}, {}>({});\n", list.len(), values.join(", "))
+}
+
+fn vector(point: Vec4) -> String {
+    format!("vec4f({:?}, {:?}, {:?}, {:?})", point.x, point.y, point.z, point.w)
+}
+
+/// The files that define `umbrage_filter` and `umbrage_offset_reach`.
 fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
     let is_each = matches!(settings.compare_depth(), CompareDepth::Plane | CompareDepth::Facing);
     let tap = if is_each {
@@ -87,119 +109,83 @@ fn filter(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
     } else {
         include_str!("../shaders/tap/four.wgsl")
     };
-    match &settings.filter {
-        Filter::Hard {} => vec![fixed_reach(settings), text(include_str!("../shaders/filter/hard.wgsl"))],
+    let fixed = include_str!("../shaders/reach/fixed.wgsl");
+    let files: Vec<&str> = match &settings.filter {
+        Filter::Hard {} => vec![fixed, include_str!("../shaders/filter/hard.wgsl")],
         Filter::Bilinear {} => {
-            kernel(settings, 1, tap, include_str!("../shaders/filter/bilinear.wgsl"), BOX_KERNEL)
+            kernel(is_each, tap, include_str!("../shaders/filter/bilinear.wgsl"), BOX_KERNEL)
         }
-        Filter::Pcf { size } => {
-            kernel(settings, *size, tap, include_str!("../shaders/filter/pcf.wgsl"), BOX_KERNEL)
+        Filter::Pcf { .. } => kernel(is_each, tap, include_str!("../shaders/filter/pcf.wgsl"), BOX_KERNEL),
+        Filter::Optimised { .. } => {
+            kernel(is_each, tap, include_str!("../shaders/filter/optimised.wgsl"), BELL_KERNEL)
         }
-        Filter::Optimised { size } => {
-            kernel(settings, *size, tap, include_str!("../shaders/filter/optimised.wgsl"), BELL_KERNEL)
+        Filter::Poisson(of) => disc(of, include_str!("../shaders/points/fixed.wgsl"), tap),
+        Filter::Stratified(of) => disc(of, include_str!("../shaders/points/stratified.wgsl"), tap),
+        Filter::Rotated(of) | Filter::Vogel(of) => {
+            disc(of, include_str!("../shaders/points/rotated.wgsl"), tap)
         }
-        Filter::Poisson(of) => disc(of, include_str!("../shaders/points/fixed.wgsl"), tap, of.table()),
-        Filter::Stratified(of) => {
-            disc(of, include_str!("../shaders/points/stratified.wgsl"), tap, of.table())
-        }
-        Filter::Rotated(of) => disc(of, include_str!("../shaders/points/rotated.wgsl"), tap, of.table()),
-        Filter::Vogel(of) => disc(of, include_str!("../shaders/points/rotated.wgsl"), tap, spiral(of.taps)),
-        Filter::Footprint(of) => {
-            let list: Vec<String> = (0..of.taps as usize).map(|i| vector(two_squares(i))).collect();
-            let mut numbers =
-                format!("const UMBRAGE_POINTS = array<vec4f, {}>({});\n", list.len(), list.join(", "));
-            let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
-            let _ = writeln!(numbers, "const UMBRAGE_MAX_TEXELS: f32 = {:?};", of.max_texels);
-            let files = [tap, include_str!("../shaders/filter/footprint.wgsl")];
-            [fixed_reach(settings), numbers].into_iter().chain(files.map(text)).collect()
-        }
-        Filter::Pcss(of) => {
-            let mut numbers =
-                points("UMBRAGE_POINTS", &spiral(of.taps)) + &points("UMBRAGE_SEARCH", &spiral(of.blockers));
-            let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.taps);
-            let _ = writeln!(numbers, "const UMBRAGE_BLOCKERS: u32 = {}u;", of.blockers);
-            let _ = writeln!(numbers, "const UMBRAGE_MAX_TEXELS: f32 = {:?};", of.max_texels);
-            let files = [
-                PCG,
-                noise(of.noise),
-                include_str!("../shaders/points/rotated.wgsl"),
-                tap,
-                DEPTH,
-                PENUMBRA,
-                include_str!("../shaders/filter/pcss.wgsl"),
-            ];
-            [fixed_reach(settings), numbers].into_iter().chain(files.map(text)).collect()
-        }
+        Filter::Footprint(_) => vec![fixed, tap, include_str!("../shaders/filter/footprint.wgsl")],
+        Filter::Pcss(of) => vec![
+            fixed,
+            PCG,
+            noise(of.noise),
+            include_str!("../shaders/points/rotated.wgsl"),
+            tap,
+            DEPTH,
+            PENUMBRA,
+            include_str!("../shaders/filter/pcss.wgsl"),
+        ],
         Filter::Vsm(_) | Filter::Esm(_) | Filter::Evsm2(_) | Filter::Evsm4(_) | Filter::Msm(_) => {
-            moments(settings, capabilities)
+            let sample = match MomentFormat::of(&settings.filter, capabilities) {
+                Some(format) if !format.is_filterable => include_str!("../shaders/sample/loaded.wgsl"),
+                Some(format) if format.levels == 1 => include_str!("../shaders/sample/level.wgsl"),
+                _ => include_str!("../shaders/sample/footprint.wgsl"),
+            };
+            let inside = include_str!("../shaders/sample/inside.wgsl");
+            vec![fixed, DEPTH, inside, sample, include_str!("../shaders/filter/moments.wgsl")]
         }
         Filter::Savsm(of) => {
-            let radius = radius(of.radius, of.radius_texels);
-            let files = [DEPTH, BOX, include_str!("../shaders/filter/summed.wgsl")].map(text);
-            [fixed_reach(settings), radius, summed(settings)].into_iter().chain(files).collect()
+            vec![fixed, radius(of.radius), DEPTH, BOX, include_str!("../shaders/filter/summed.wgsl")]
         }
-        Filter::Mssm(of) => {
-            let numbers = format!("const UMBRAGE_MAX_TEXELS: f32 = {:?};\n", of.max_texels);
-            let files = [
-                include_str!("../shaders/moments/msm_blocker.wgsl"),
-                DEPTH,
-                PENUMBRA,
-                BOX,
-                include_str!("../shaders/filter/summed_soft.wgsl"),
-            ];
-            [fixed_reach(settings), numbers, summed(settings)].into_iter().chain(files.map(text)).collect()
+        Filter::Mssm(_) => vec![
+            fixed,
+            include_str!("../shaders/moments/msm_blocker.wgsl"),
+            DEPTH,
+            PENUMBRA,
+            BOX,
+            include_str!("../shaders/filter/summed_soft.wgsl"),
+        ],
+    };
+    let moments = match settings.filter.stores() {
+        Stored::Depths => None,
+        Stored::Prefiltered { texel, .. } | Stored::Summed { texel, .. } => {
+            Some(moments_files(texel.moments))
         }
-    }
+    };
+    files.into_iter().map(str::to_owned).chain(moments).collect()
 }
 
 const BOX_KERNEL: &str = include_str!("../shaders/kernel/box.wgsl");
 const BELL_KERNEL: &str = include_str!("../shaders/kernel/bell.wgsl");
 
-fn text(file: &str) -> String {
-    file.to_owned()
-}
-
-/// The offset along the normal reaches as far everywhere.
-fn fixed_reach(settings: &Settings) -> String {
-    let reach = settings.filter.offset_reach_texels(1.0);
-    format!("const UMBRAGE_OFFSET_REACH: f32 = {reach:?};\n") + include_str!("../shaders/reach/fixed.wgsl")
-}
-
 /// A grid of lookups: `with_sampler` where one depth serves four texels.
-fn kernel(settings: &Settings, size: u32, tap: &str, with_sampler: &str, weights: &str) -> Vec<String> {
-    let size = format!("const UMBRAGE_KERNEL_SIZE: i32 = {size};\n");
-    let files = match settings.compare_depth() {
-        CompareDepth::Own => [tap, with_sampler],
-        CompareDepth::Plane | CompareDepth::Facing => [weights, include_str!("../shaders/filter/each.wgsl")],
-    };
-    [fixed_reach(settings), size].into_iter().chain(files.map(text)).collect()
+fn kernel<'a>(is_each: bool, tap: &'a str, with_sampler: &'a str, weights: &'a str) -> Vec<&'a str> {
+    let files =
+        if is_each { [weights, include_str!("../shaders/filter/each.wgsl")] } else { [tap, with_sampler] };
+    [include_str!("../shaders/reach/fixed.wgsl")].into_iter().chain(files).collect()
 }
 
 /// Points on a disc.
-fn disc(disc: &Disc, place: &str, tap: &str, of: Vec<Vec2>) -> Vec<String> {
-    let whole = Disc { taps: POISSON.len() as u32, ..*disc };
-    let mut numbers = points("UMBRAGE_POINTS", &of) + &points("UMBRAGE_TABLE", &whole.table());
-    let _ = writeln!(numbers, "const UMBRAGE_TAPS: u32 = {}u;", of.len());
-    let _ = writeln!(numbers, "const UMBRAGE_EARLY_OUT: bool = {};", disc.early_out);
-    let _ = writeln!(numbers, "const UMBRAGE_FARTHEST: f32 = {:?};", disc.farthest());
-    let files = [
+fn disc<'a>(disc: &Disc, place: &'a str, tap: &'a str) -> Vec<&'a str> {
+    vec![
+        radius(disc.radius),
         include_str!("../shaders/reach/disc.wgsl"),
         PCG,
         noise(disc.noise),
         place,
         tap,
         include_str!("../shaders/filter/disc.wgsl"),
-    ];
-    [numbers, radius(disc.radius, disc.radius_texels)].into_iter().chain(files.map(text)).collect()
-}
-
-fn points(name: &str, points: &[Vec2]) -> String {
-    let list: Vec<String> = points.iter().map(|p| format!("vec2f({:?}, {:?})", p.x, p.y)).collect();
-    format!("const {name} = array<vec2f, {}>({});\n", points.len(), list.join(", "))
-}
-
-fn vector(point: Vec4) -> String {
-    format!("vec4f({:?}, {:?}, {:?}, {:?})", point.x, point.y, point.z, point.w)
+    ]
 }
 
 fn noise(noise: NoiseSource) -> &'static str {
@@ -210,53 +196,12 @@ fn noise(noise: NoiseSource) -> &'static str {
     }
 }
 
-fn radius(metres: Option<f32>, texels: f32) -> String {
-    let most = format!("const UMBRAGE_RADIUS_TEXELS: f32 = {texels:?};\n");
-    match metres {
-        None => most + include_str!("../shaders/radius/texels.wgsl"),
-        Some(metres) => {
-            most + &format!("const UMBRAGE_RADIUS: f32 = {metres:?};\n")
-                + include_str!("../shaders/radius/metres.wgsl")
-        }
+fn radius(metres: Option<f32>) -> &'static str {
+    if metres.is_some() {
+        include_str!("../shaders/radius/metres.wgsl")
+    } else {
+        include_str!("../shaders/radius/texels.wgsl")
     }
-}
-
-/// A blurred map of moments.
-fn moments(settings: &Settings, capabilities: Capabilities) -> Vec<String> {
-    let (Some(moments), Some(prefilter)) = (settings.filter.moments(1.0), settings.filter.prefilter()) else {
-        return Vec::new();
-    };
-    let format = MomentFormat::of(&settings.filter, capabilities);
-    let levels = format.levels(prefilter);
-    let sample = match (format.is_filterable, levels) {
-        (false, _) => include_str!("../shaders/sample/loaded.wgsl"),
-        (true, 1) => include_str!("../shaders/sample/level.wgsl"),
-        (true, _) => include_str!("../shaders/sample/footprint.wgsl"),
-    };
-    let inset = 0.5 * prefilter.downsample as f32;
-    let numbers = format!("const UMBRAGE_MOMENTS_INSET: f32 = {inset:?};\n")
-        + &min_standard_deviation(&settings.filter);
-    let files = [
-        DEPTH,
-        include_str!("../shaders/sample/inside.wgsl"),
-        sample,
-        include_str!("../shaders/filter/moments.wgsl"),
-    ];
-    [fixed_reach(settings), numbers, moments_wgsl(&moments)].into_iter().chain(files.map(text)).collect()
-}
-
-/// A summed-area table of moments.
-fn summed(settings: &Settings) -> String {
-    let Some(moments) = settings.filter.moments(1.0) else { return String::new() };
-    let scale = settings.filter.sum_steps();
-    format!("const UMBRAGE_SUM_SCALE: f32 = {scale:?};\n")
-        + &min_standard_deviation(&settings.filter)
-        + &moments_wgsl(&moments)
-}
-
-/// The least deviation that moments count with.
-fn min_standard_deviation(filter: &Filter) -> String {
-    format!("const UMBRAGE_MIN_STANDARD_DEVIATION: f32 = {:?};\n", filter.min_standard_deviation_metres())
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ impl Default for Esm {
 
 impl Esm {
     /// What e^c can be in 32 bits: c < 88.72 (V11c).
-    pub(crate) const LARGEST_EXPONENT: f32 = 88.0;
+    pub(crate) const MAX_EXPONENT: f32 = 88.0;
 
     /// The logarithm of nothing: its exponential is 0 beside any other.
     pub(super) const NONE: Vec4 = Vec4::new(-1e30, 0.0, 0.0, 0.0);
@@ -52,7 +52,7 @@ mod tests {
     #[test]
     fn the_limit_is_that_of_v11c() {
         assert!((f64::from(f32::MAX).ln() - 88.72283906194683).abs() < 1e-6);
-        assert!(Esm::LARGEST_EXPONENT.exp().is_finite());
+        assert!(Esm::MAX_EXPONENT.exp().is_finite());
     }
 
     #[test]

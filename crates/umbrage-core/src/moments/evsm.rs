@@ -16,7 +16,7 @@ pub struct Evsm2 {
     pub exponent: Exponent,
     /// No variance of depth is taken to be less, squares of the depth range, 0 to 0.01. In 16 bits squares are rounded to
     /// a 2048th, which is a variance of about 1e-5.
-    pub least_variance: f32,
+    pub min_variance: f32,
     /// What visibility is cut to 0, 0 to 0.99.
     pub light_bleed_reduction: f32,
 }
@@ -29,19 +29,19 @@ pub struct Evsm4 {
     /// Of −e^(−c z).
     pub negative: Exponent,
     /// As in [`Evsm2`].
-    pub least_variance: f32,
+    pub min_variance: f32,
     /// What visibility is cut to 0, 0 to 0.99.
     pub light_bleed_reduction: f32,
 }
 
 /// A 20,000th of the depth range, squared: above what 32 bits round the squares to, for exponents from 5.
-const LEAST_VARIANCE: f32 = 2.5e-9;
+const MIN_VARIANCE: f32 = 2.5e-9;
 
 impl Default for Evsm2 {
     fn default() -> Self {
         Self {
             exponent: Exponent::STEEP, // the steeper, the less light leaks
-            least_variance: LEAST_VARIANCE,
+            min_variance: MIN_VARIANCE,
             light_bleed_reduction: 0.0, // a bound that stays one
         }
     }
@@ -52,7 +52,7 @@ impl Default for Evsm4 {
         Self {
             positive: Exponent::STEEP,  // the steeper, the less light leaks
             negative: Exponent::GENTLE, // steeper, penumbrae are cut where one caster lies before another
-            least_variance: LEAST_VARIANCE,
+            min_variance: MIN_VARIANCE,
             light_bleed_reduction: 0.0, // a bound that stays one
         }
     }
@@ -64,10 +64,10 @@ fn warp(exponent: f32, depth: f32) -> f32 {
 }
 
 /// What one warp allows at `depth`.
-fn largest_share_behind(exponent: f32, least_variance: f32, first: f32, second: f32, depth: f32) -> f32 {
+fn largest_share_behind(exponent: f32, min_variance: f32, first: f32, second: f32, depth: f32) -> f32 {
     let place = warp(exponent, depth);
     // The warp stretches a small step of depth by its derivative.
-    let min_standard_deviation = 2.0 * exponent * least_variance.sqrt() * place;
+    let min_standard_deviation = 2.0 * exponent * min_variance.sqrt() * place;
     largest_share_beyond(first, second, place, min_standard_deviation)
 }
 
@@ -78,7 +78,7 @@ impl Evsm2 {
     }
 
     pub(super) fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
-        let lit = largest_share_behind(self.exponent.get(), self.least_variance, moments.x, moments.y, depth);
+        let lit = largest_share_behind(self.exponent.get(), self.min_variance, moments.x, moments.y, depth);
         without_bleed(self.light_bleed_reduction, lit)
     }
 }
@@ -90,9 +90,8 @@ impl Evsm4 {
     }
 
     pub(super) fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
-        let lit = |exponent, first, second| {
-            largest_share_behind(exponent, self.least_variance, first, second, depth)
-        };
+        let lit =
+            |exponent, first, second| largest_share_behind(exponent, self.min_variance, first, second, depth);
         let positive = lit(self.positive.get(), moments.x, moments.y);
         let negative = lit(-self.negative.get(), moments.z, moments.w);
         without_bleed(self.light_bleed_reduction, positive.min(negative))

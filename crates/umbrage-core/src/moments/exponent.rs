@@ -3,21 +3,21 @@
 //! Depth is taken to −1…1 first, so the largest square is e^(2c). Of 32 bits, 3.4028e38, that leaves c < 44.36; of 16 bits,
 //! 65504, c < 5.545 (V11c). What is more becomes infinite, and the shadow is gone.
 
-use crate::SettingsError;
+use crate::error::SettingsError;
 
-/// How floating-point numbers are stored.
+/// The format that floating-point numbers are stored in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Precision {
-    /// In 32 bits.
+    /// 32 bits.
     F32,
-    /// In 16 bits.
+    /// 16 bits.
     F16,
 }
 
 impl Precision {
     /// The largest exponent whose square can be stored, and summed with weights that add to 1.
-    pub fn largest_exponent(self) -> f32 {
+    pub const fn max_exponent(self) -> f32 {
         match self {
             Self::F32 => 42.0, // a hundred times below the limit: sums round, and the least variance must fit too
             Self::F16 => 5.54, // 64860 of 65504
@@ -40,19 +40,21 @@ impl Exponent {
     /// # Errors
     /// `value` is not above 0, or its exponential would overflow.
     pub fn new(value: f32, precision: Precision) -> Result<Self, SettingsError> {
-        if value > 0.0 && value <= precision.largest_exponent() {
+        let max = precision.max_exponent();
+        if value > 0.0 && value <= max {
             return Ok(Self(value));
         }
-        let wanted = match precision {
-            Precision::F32 => "above 0 and at most 42 in 32 bits",
-            Precision::F16 => "above 0 and at most 5.54 in 16 bits",
+        let bits = match precision {
+            Precision::F32 => 32,
+            Precision::F16 => 16,
         };
+        let wanted = format!("above 0 and at most {max} in {bits} bits");
         Err(SettingsError::OutOfRange { key: "exponent", value: f64::from(value), wanted })
     }
 
     /// The steepest that this precision holds.
-    pub fn most(precision: Precision) -> Self {
-        Self(precision.largest_exponent())
+    pub fn max(precision: Precision) -> Self {
+        Self(precision.max_exponent())
     }
 
     /// The number itself.
@@ -74,15 +76,15 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_exponents_keep_the_limits_of_v11c() {
+    fn the_max_exponents_keep_the_limits_of_v11c() {
         for (precision, limit, largest) in [
             (Precision::F32, 44.361419530973414, f64::from(f32::MAX)),
             (Precision::F16, 5.544933244230508, 65504.0),
         ] {
             assert!((0.5 * f64::ln(largest) - limit).abs() < 1e-6, "{precision:?}");
-            let most = precision.largest_exponent();
-            assert!(f64::from(most) < limit, "{precision:?}: {most}");
-            assert!(Exponent::new(most, precision).is_ok());
+            let max = precision.max_exponent();
+            assert!(f64::from(max) < limit, "{precision:?}: {max}");
+            assert!(Exponent::new(max, precision).is_ok());
             for wrong in [limit as f32 + 0.001, 0.0, -1.0, f32::NAN, f32::INFINITY] {
                 assert!(Exponent::new(wrong, precision).is_err(), "{precision:?}: {wrong}");
             }

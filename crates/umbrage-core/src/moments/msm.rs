@@ -51,7 +51,7 @@ impl Msm {
     pub const UNORM16: Self = Self { bias: 6e-5, centre: 0.628, light_bleed_reduction: 0.0 };
 
     /// A smaller share of blockers is none: no picture shows it, and it may be the bias's own.
-    pub const LEAST_SHARE: f32 = 1e-3;
+    pub const MIN_SHARE: f32 = 1e-3;
 
     /// No two places need lie further apart; their shares are less than the inverse square.
     const FARTHEST: f32 = 1e6;
@@ -126,7 +126,7 @@ impl Msm {
         without_bleed(self.light_bleed_reduction, 1.0 - shadow)
     }
 
-    /// What share of the depths lies before a receiver, and their mean. `None` where less than [`Msm::LEAST_SHARE`] does.
+    /// What share of the depths lies before a receiver, and their mean. `None` where less than [`Msm::MIN_SHARE`] does.
     ///
     /// The mean is that of the blockers in Peters et al. 2017: Σ w_k z_k / Σ w_k, over the z_k before the receiver.
     pub fn blocker(&self, moments: Vec4, depth: f32) -> Option<(f32, f32)> {
@@ -134,7 +134,7 @@ impl Msm {
         let deltas = self.deltas(moments, depth);
         let before = deltas.before();
         let share = before.element_sum();
-        (share > Self::LEAST_SHARE).then(|| {
+        (share > Self::MIN_SHARE).then(|| {
             let place = before.dot(deltas.places) / share;
             let mean = 0.5 + 0.5 * (deltas.mean + deltas.deviation * place);
             (share, mean.clamp(0.0, depth))

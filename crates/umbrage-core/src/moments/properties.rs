@@ -14,7 +14,7 @@ pub(super) fn all() -> [Moments; 8] {
         Moments::Vsm(Vsm::default()),
         Moments::Esm(Esm::default()),
         Moments::Evsm2(Evsm2::default()),
-        Moments::Evsm2(Evsm2 { exponent: half, least_variance: 1e-5, light_bleed_reduction: 0.0 }),
+        Moments::Evsm2(Evsm2 { exponent: half, min_variance: 1e-5, light_bleed_reduction: 0.0 }),
         Moments::Evsm4(Evsm4::default()),
         Moments::Evsm4(Evsm4 { positive: steepest, negative: steepest, ..Evsm4::default() }),
         Moments::Msm(Msm::F32),
@@ -114,7 +114,7 @@ proptest! {
             let stored = mean(&moments, &depths);
             let shadow = 1.0 - moments.visibility(stored, receiver);
             match msm.blocker(stored, receiver) {
-                None => prop_assert!(shadow <= 1.1 * Msm::LEAST_SHARE, "shadow {}", shadow),
+                None => prop_assert!(shadow <= 1.1 * Msm::MIN_SHARE, "shadow {}", shadow),
                 Some((share, mean)) => {
                     prop_assert!((share - shadow).abs() < 1e-6, "{} of blockers, shadow {}", share, shadow);
                     prop_assert!((0.0..=receiver).contains(&mean), "{} before {}", mean, receiver);

@@ -10,7 +10,7 @@ use super::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 fn columns() -> [Moments; 6] {
     let positive = Exponent::new(42.0, Precision::F32).expect("a valid exponent");
     [
-        Moments::Vsm(Vsm { least_variance: 0.0, ..Vsm::default() }),
+        Moments::Vsm(Vsm { min_variance: 0.0, ..Vsm::default() }),
         Moments::Esm(Esm { exponent: 80.0 }),
         Moments::Evsm2(Evsm2 { exponent: positive, ..Evsm2::default() }),
         Moments::Evsm4(Evsm4 { positive, ..Evsm4::default() }),

@@ -1,7 +1,7 @@
 //! Variance shadow maps: depth and its square.
 //!
 //! Donnelly & Lauritzen, *Variance Shadow Maps*, I3D 2006; Lauritzen, *Summed-Area Variance Shadow Maps*, GPU Gems 3, 2007,
-//! chapter 8. Paper → here: M₁, M₂ → x and y of the moments; the least variance → `least_variance`; within a texel a flat
+//! chapter 8. Paper → here: M₁, M₂ → x and y of the moments; the least variance → `min_variance`; within a texel a flat
 //! surface has the variance ¼ ((∂z/∂x)² + (∂z/∂y)²), from `slope`.
 
 use glam::{Vec2, Vec4};
@@ -12,7 +12,7 @@ use super::chebyshev::{largest_share_beyond, without_bleed};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vsm {
     /// No variance is taken to be less, squares of the depth range, 0 to 0.01.
-    pub least_variance: f32,
+    pub min_variance: f32,
     /// What visibility is cut to 0, 0 to 0.99. Light leaks less, and penumbrae are narrower.
     pub light_bleed_reduction: f32,
 }
@@ -20,7 +20,7 @@ pub struct Vsm {
 impl Default for Vsm {
     fn default() -> Self {
         Self {
-            least_variance: 1e-6,       // ten times what 32 bits round the square to
+            min_variance: 1e-6,         // ten times what 32 bits round the square to
             light_bleed_reduction: 0.0, // a bound that stays one
         }
     }
@@ -35,7 +35,7 @@ impl Vsm {
     }
 
     pub(super) fn visibility(&self, moments: Vec4, depth: f32) -> f32 {
-        let lit = largest_share_beyond(moments.x, moments.y, depth, self.least_variance.sqrt());
+        let lit = largest_share_beyond(moments.x, moments.y, depth, self.min_variance.sqrt());
         without_bleed(self.light_bleed_reduction, lit)
     }
 }

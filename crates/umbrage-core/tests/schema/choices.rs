@@ -49,7 +49,7 @@ fn are_choices<T: Serialize + DeserializeOwned + Debug>(key: &Key, variants: &[&
 #[test]
 fn every_variant_is_a_choice_and_every_choice_a_variant() {
     for key in keys().filter(|key| matches!(key.values, Values::Choice(_))) {
-        match (key.name, key.kinds) {
+        match (key.name, &key.kinds()[..]) {
             ("scheme", _) => {
                 are_choices::<Scheme>(key, &variants!(Scheme: Practical, Uniform, Logarithmic, Manual));
             }

@@ -9,7 +9,7 @@ use crate::samples::{kinds, leaves, samples, settings, table, with};
 /// Settings that hold a key, once for each kind that has it, and whose maps have room for any filter.
 fn holders(key: &Key) -> Vec<Table> {
     let base = Settings { resolution: 4096, contact: Some(Contact::default()), ..Settings::default() };
-    let of_table = |name: &str| key.name.starts_with(name) && !key.kinds.is_empty();
+    let of_table = |name: &str| key.name.starts_with(name) && !key.kinds().is_empty();
     let mut all = Vec::new();
     for kind in kinds("filter").filter(|kind| of_table("filter.") && key.is_of(kind)) {
         let filter = Filter::of_kind(kind).expect("a filter");
@@ -19,7 +19,7 @@ fn holders(key: &Key) -> Vec<Table> {
         let shade = Shade::of_kind(kind).expect("a shade");
         all.push(table(&Settings { shade, ..base.clone() }));
     }
-    if key.kinds.is_empty() {
+    if key.kinds().is_empty() {
         all.push(table(&base));
     }
     assert!(!all.is_empty(), "`{}`", key.name);
@@ -39,7 +39,7 @@ fn must_be_refused(holder: &Table, key: &Key, value: Value) {
     };
     match read.validate() {
         Err(SettingsError::OutOfRange { key: named, wanted, .. }) => {
-            assert_eq!((named, wanted), (key.name, key.wanted), "{} = {value}", key.name);
+            assert_eq!((named, wanted), (key.name, key.wanted()), "{} = {value}", key.name);
         }
         other => panic!("{} = {value}: expected a refusal, got {other:?}", key.name),
     }
@@ -55,20 +55,20 @@ fn every_range_is_the_one_that_is_enforced() {
     for key in keys() {
         for holder in holders(key) {
             match key.values {
-                Values::Whole { least, most, only, .. } => {
-                    for value in [least - 1, most + 1].into_iter().chain(least..=most.min(least + 100)) {
-                        let within = (least..=most).contains(&value);
+                Values::Whole { min, max, only, .. } => {
+                    for value in [min - 1, max + 1].into_iter().chain(min..=max.min(min + 100)) {
+                        let within = (min..=max).contains(&value);
                         let allowed = within && (only.is_empty() || only.contains(&value));
                         let judge = if allowed { must_be_allowed } else { must_be_refused };
                         judge(&holder, key, Value::Integer(value));
                     }
-                    must_be_allowed(&holder, key, Value::Integer(most));
+                    must_be_allowed(&holder, key, Value::Integer(max));
                 }
-                Values::Number { least, most, .. } => {
-                    must_be_allowed(&holder, key, Value::Float(least));
-                    must_be_allowed(&holder, key, Value::Float(most));
-                    must_be_refused(&holder, key, float((least as f32).next_down()));
-                    must_be_refused(&holder, key, float((most as f32).next_up()));
+                Values::Number { min, max, .. } => {
+                    must_be_allowed(&holder, key, Value::Float(min));
+                    must_be_allowed(&holder, key, Value::Float(max));
+                    must_be_refused(&holder, key, float((min as f32).next_down()));
+                    must_be_refused(&holder, key, float((max as f32).next_up()));
                     must_be_refused(&holder, key, float(f32::NAN));
                 }
                 Values::Colour => {
@@ -90,17 +90,17 @@ fn every_range_is_the_one_that_is_enforced() {
 #[test]
 fn what_an_error_says_is_the_range() {
     for key in keys() {
-        let (least, most) = match key.values {
-            Values::Whole { least, most, .. } => (least.to_string(), most.to_string()),
-            Values::Number { least, most, .. } => (least.to_string(), most.to_string()),
+        let (min, max) = match key.values {
+            Values::Whole { min, max, .. } => (min.to_string(), max.to_string()),
+            Values::Number { min, max, .. } => (min.to_string(), max.to_string()),
             Values::Colour => ("0".to_owned(), "1".to_owned()),
             Values::Switch | Values::Choice(_) | Values::Distances | Values::Table => continue,
         };
         // The others have no end that could be written out, or say more than the ends.
-        if let Some((_, range)) = key.wanted.split_once("from ") {
-            let rest = range.strip_prefix(&format!("{least} to {most}"));
+        if let Some((_, range)) = key.wanted().split_once("from ") {
+            let rest = range.strip_prefix(&format!("{min} to {max}"));
             let whole = rest.is_some_and(|rest| !rest.starts_with(|c: char| c == '.' || c.is_ascii_digit()));
-            assert!(whole, "`{}`: {}", key.name, key.wanted);
+            assert!(whole, "`{}`: {}", key.name, key.wanted());
         }
     }
 }
@@ -109,10 +109,8 @@ fn what_an_error_says_is_the_range() {
 fn every_slider_lies_within_its_range_and_holds_what_is_set_by_default() {
     for key in keys() {
         let (range, slide) = match key.values {
-            Values::Whole { least, most, slide, .. } => {
-                ([least as f64, most as f64], slide.map(|end| end as f64))
-            }
-            Values::Number { least, most, slide, .. } => ([least, most], slide),
+            Values::Whole { min, max, slide, .. } => ([min as f64, max as f64], slide.map(|end| end as f64)),
+            Values::Number { min, max, slide, .. } => ([min, max], slide),
             Values::Switch | Values::Choice(_) | Values::Distances | Values::Colour | Values::Table => {
                 continue;
             }

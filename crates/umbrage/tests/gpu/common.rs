@@ -249,7 +249,7 @@ impl Drawn {
             }}"
         );
         let numbers = |place: &Place| {
-            let Place { texel, reference, gradient, texel_metres } = *place;
+            let Place { texel, compare_depth: reference, gradient, texel_metres } = *place;
             [texel.x, texel.y, gradient.x, gradient.y, texel_metres.x, texel_metres.y, reference, 0.0]
         };
         let numbers: Vec<[f32; 8]> = places.iter().map(numbers).collect();

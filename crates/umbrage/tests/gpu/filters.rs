@@ -32,7 +32,12 @@ fn differences(settings: &Settings, tolerance: f32) -> (f64, f32) {
                 // Around what is stored here, and behind it.
                 let stored = maps.depth(view.tile, centre.x, centre.y);
                 let reference = (stored + (share(0.437_598_1) - 0.3) * 0.1).clamp(0.0, 1.0);
-                Place { texel, reference, gradient: Vec2::ZERO, texel_metres: Vec2::new(0.1, 0.14) }
+                Place {
+                    texel,
+                    compare_depth: reference,
+                    gradient: Vec2::ZERO,
+                    texel_metres: Vec2::new(0.1, 0.14),
+                }
             })
             .collect();
         let gpu = drawn.filter(view.index as u32, &places);
@@ -251,7 +256,12 @@ fn no_filter_reads_over_the_sides_of_its_tile() {
                         let centre = texel.as_i64vec2();
                         let reference =
                             (maps.depth(view.tile, centre.x, centre.y) + 0.01 * (i % 3) as f32).min(0.999);
-                        Place { texel, reference, gradient: Vec2::ZERO, texel_metres: Vec2::splat(0.1) }
+                        Place {
+                            texel,
+                            compare_depth: reference,
+                            gradient: Vec2::ZERO,
+                            texel_metres: Vec2::splat(0.1),
+                        }
                     })
                     .collect()
             };

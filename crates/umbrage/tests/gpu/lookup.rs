@@ -68,7 +68,7 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
                     };
                     // Receivers beyond 1 are lit without asking a filter.
                     let texel_metres = Vec2::new(0.1, 0.14);
-                    Place { texel, reference: reference.min(1.0), gradient, texel_metres }
+                    Place { texel, compare_depth: reference.min(1.0), gradient, texel_metres }
                 })
                 .collect();
             let gpu = drawn.filter(view.index as u32, &places);

@@ -60,9 +60,9 @@ fn on_gpu(moments: &Moments, questions: &[Question]) -> Vec<Answer> {
         }
     };
     let min_standard_deviation = match *moments {
-        Moments::Vsm(Vsm { least_variance, .. })
-        | Moments::Evsm2(Evsm2 { least_variance, .. })
-        | Moments::Evsm4(Evsm4 { least_variance, .. }) => least_variance.sqrt(),
+        Moments::Vsm(Vsm { min_variance, .. })
+        | Moments::Evsm2(Evsm2 { min_variance, .. })
+        | Moments::Evsm4(Evsm4 { min_variance, .. }) => min_variance.sqrt(),
         Moments::Esm(_) | Moments::Msm(_) => 0.0,
     };
     let ask = format!(
@@ -144,7 +144,7 @@ fn exponent(value: f32, precision: Precision) -> Exponent {
 fn columns() -> [Moments; 6] {
     let positive = exponent(42.0, Precision::F32);
     [
-        Moments::Vsm(Vsm { least_variance: 0.0, ..Vsm::default() }),
+        Moments::Vsm(Vsm { min_variance: 0.0, ..Vsm::default() }),
         Moments::Esm(Esm { exponent: 80.0 }),
         Moments::Evsm2(Evsm2 { exponent: positive, ..Evsm2::default() }),
         Moments::Evsm4(Evsm4 { positive, ..Evsm4::default() }),
@@ -198,11 +198,11 @@ fn moments_on_the_gpu_are_those_in_rust() {
     let half = exponent(5.54, Precision::F16);
     let others = [
         Moments::Vsm(Vsm { light_bleed_reduction: 0.2, ..Vsm::default() }),
-        Moments::Evsm2(Evsm2 { exponent: half, least_variance: 1e-5, light_bleed_reduction: 0.1 }),
+        Moments::Evsm2(Evsm2 { exponent: half, min_variance: 1e-5, light_bleed_reduction: 0.1 }),
         Moments::Evsm4(Evsm4 {
             positive: half,
             negative: half,
-            least_variance: 1e-5,
+            min_variance: 1e-5,
             light_bleed_reduction: 0.1,
         }),
         Moments::Msm(Msm { light_bleed_reduction: 0.3, ..Msm::F32 }),

@@ -1,21 +1,76 @@
-//! What the maps are, what they cover, and which of them serves a receiver.
+//! What are the maps, what do they cover, and which of them serves a receiver?
 
-use super::{Choice, Group, Key, Values};
 use crate::fit::FITS;
+use crate::schema::cost::Cost;
+use crate::schema::group::Group;
+use crate::schema::key::Key;
+use crate::schema::values::{Choice, Values};
 use crate::warp::WARPS;
 
-pub(super) const KEYS: &[Key] = &[RESOLUTION, DEPTH, STORAGE, FIT, UNCLIPPED_DEPTH, WARP, SELECT, BLEND];
+/// The format of a texel of a shadow map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum DepthFormat {
+    /// A 32-bit float.
+    F32,
+    /// A 16-bit unsigned number, normalised.
+    U16,
+}
 
-const BASE: Key = Key::of(Group::Maps);
+impl DepthFormat {
+    /// The size of a texel, bytes.
+    pub fn bytes(self) -> u64 {
+        match self {
+            Self::F32 => 4,
+            Self::U16 => 2,
+        }
+    }
 
-pub(crate) const RESOLUTION: Key = Key {
+    /// How much a stored depth may differ from the one that was drawn, of a range from 0 to 1. Lookups stand off by it.
+    pub fn step(self) -> f32 {
+        match self {
+            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; a
+            // lamp's depth is steep far away, and there it counts.
+            Self::F32 => f32::EPSILON,
+            Self::U16 => 1.0 / 65535.0,
+        }
+    }
+}
+
+/// Where the views' tiles lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Storage {
+    /// Each tile in a layer of its own.
+    Array,
+    /// All tiles side by side in one layer.
+    Atlas,
+}
+
+/// How a receiver finds its view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Select {
+    /// By view depth.
+    Depth,
+    /// By the camera's clip depth (Zhang et al. 2006, eq. 8, corrected).
+    ClipDepth,
+    /// The finest view whose map holds the whole filter footprint.
+    Map,
+}
+
+pub(crate) const KEYS: &[Key] = &[RESOLUTION, DEPTH, STORAGE, FIT, UNCLIPPED_DEPTH, WARP, SELECT, BLEND];
+
+const BASE: Key = Key { costs: &[Cost::Plan], ..Key::of(Group::Maps) };
+
+pub(super) const RESOLUTION: Key = Key {
     name: "resolution",
     label: "resolution",
     help: "Texels a side of each view's tile. \
            Twice as many make edges half as coarse, and cost four times the memory.",
     unit: "texels",
-    values: Values::Whole { least: 16, most: 16384, only: &[], slide: [256, 4096], logarithmic: true },
-    wanted: "from 16 to 16384 texels",
+    costs: &[Cost::Plan, Cost::Maps],
+    values: Values::Whole { min: 16, max: 16384, only: &[], slide: [256, 4096], logarithmic: true },
     ..BASE
 };
 
@@ -23,6 +78,7 @@ const DEPTH: Key = Key {
     name: "depth",
     label: "texel",
     help: "What a texel of a map is.",
+    costs: &[Cost::Plan, Cost::Frame, Cost::Casters, Cost::Maps],
     values: Values::Choice(&[
         Choice {
             name: "f32",
@@ -44,6 +100,7 @@ const STORAGE: Key = Key {
     name: "storage",
     label: "storage",
     help: "Where the views' tiles lie. The picture is the same.",
+    costs: &[Cost::Plan, Cost::Maps],
     values: Values::Choice(&[
         Choice { name: "array", label: "array", help: "Each tile in a layer of its own.", source: "" },
         Choice {
@@ -70,13 +127,15 @@ const UNCLIPPED_DEPTH: Key = Key {
     label: "flatten casters",
     help: "Casters between the light and a view's box are flattened onto its near plane. \
            Without it the near plane is moved toward the light, and depth is coarser.",
-    ..Key::switch(Group::Maps)
+    costs: &[Cost::Plan, Cost::Casters],
+    ..BASE
 };
 
 const WARP: Key = Key {
     name: "warp",
     label: "warp",
     help: "How a map's texels are spent on what is near the eye. Works in every split, for suns and spots.",
+    costs: &[Cost::Plan, Cost::Shader],
     values: Values::Choice(WARPS),
     ..BASE
 };
@@ -85,6 +144,7 @@ const SELECT: Key = Key {
     name: "select",
     label: "select",
     help: "How a receiver finds its view.",
+    costs: &[Cost::Plan, Cost::Shader],
     values: Values::Choice(&[
         Choice {
             name: "depth",
@@ -109,12 +169,12 @@ const SELECT: Key = Key {
     ..BASE
 };
 
-pub(crate) const BLEND: Key = Key {
+pub(super) const BLEND: Key = Key {
     name: "blend",
     label: "blend",
     help: "What share of a slice's depth is cross-faded into the next one; the last one fades to lit. \
            By map, what share of the map's half width. Where views fade, two maps are read.",
+    costs: &[Cost::Plan, Cost::Shader],
     values: Values::number(0.0, 1.0, [0.0, 1.0]),
-    wanted: "from 0 to 1",
     ..BASE
 };

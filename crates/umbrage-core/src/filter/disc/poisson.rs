@@ -1,0 +1,59 @@
+//! A fixed table of points on a disc, the same everywhere (opengl-tutorial 16).
+
+use super::{Disc, TABLE_KEYS, TABLE_TAPS};
+use crate::error::SettingsError;
+use crate::filter::family::Family;
+use crate::filter::shader::ShaderNumber;
+use crate::filter::technique::Technique;
+
+use crate::lookup::place::Query;
+use crate::lookup::reader::Reader;
+use crate::schema::kind::Kind;
+use crate::schema::values::Choice;
+
+pub(in crate::filter) const KIND: Kind = Kind {
+    choice: Choice {
+        name: "poisson",
+        label: "Poisson disc",
+        help: "A fixed table of points on a disc. Few of them make bands.",
+        source: "opengl-tutorial 16",
+    },
+    keys: TABLE_KEYS,
+};
+
+/// The table's points.
+pub(in crate::filter) struct Poisson(pub Disc);
+
+impl Technique for Poisson {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+
+    fn family(&self) -> Family {
+        Family::Disc
+    }
+
+    fn validate(&self) -> Result<(), SettingsError> {
+        self.0.validate(&TABLE_TAPS)
+    }
+
+    fn reach_texels(&self) -> f32 {
+        self.0.reach_texels()
+    }
+
+    fn offset_reach_texels(&self, texel_metres: f32) -> f32 {
+        self.0.offset_reach_texels(texel_metres)
+    }
+
+    fn plane_reach_texels(&self) -> f32 {
+        self.reach_texels()
+    }
+
+    fn numbers(&self) -> Vec<ShaderNumber> {
+        self.0.numbers(self.0.table())
+    }
+
+    fn visibility(&self, reader: &Reader<'_>, _query: &Query) -> f32 {
+        self.0.mean(reader, &self.0.table(), |_, point| point)
+    }
+}
