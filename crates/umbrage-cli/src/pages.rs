@@ -1,5 +1,6 @@
 //! The pages of the documents that are written from what the program knows: `docs/settings.md`, `docs/worlds.md`.
 
+pub mod settings;
 pub mod worlds;
 
 /// The first lines of a page: its heading, how it comes about, and what it is about.

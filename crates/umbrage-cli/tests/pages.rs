@@ -2,15 +2,14 @@
 //!
 //! `UPDATE_PAGES=1 cargo test -p umbrage-cli --test pages` writes them anew.
 
-mod common;
-
 use std::path::Path;
-
-use common::stdout;
+use std::process::Command;
 
 fn is_current(page: &str, args: &[&str]) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(page);
-    let wanted = stdout(args);
+    let output = Command::new(env!("CARGO_BIN_EXE_umbrage")).args(args).output().expect("the command runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let wanted = String::from_utf8(output.stdout).expect("text");
     if std::env::var_os("UPDATE_PAGES").is_some() {
         std::fs::write(&path, &wanted).expect("the page is written");
     }
@@ -28,4 +27,9 @@ fn is_current(page: &str, args: &[&str]) {
 #[test]
 fn the_page_of_worlds_is_current() {
     is_current("worlds.md", &["worlds", "--markdown"]);
+}
+
+#[test]
+fn the_page_of_settings_is_current() {
+    is_current("settings.md", &["settings", "--markdown"]);
 }

@@ -68,17 +68,21 @@ fn chapter(world: &World, scene: &Scene) -> String {
 
 /// How many lights of which kind: `1 sun`, `12 spots`.
 fn lights(scene: &Scene) -> String {
-    let count =
-        |is_of: fn(&LightKind) -> bool| scene.lights.iter().filter(|light| is_of(&light.kind)).count();
-    let kinds = [
-        (count(|kind| matches!(kind, LightKind::Directional)), "sun"),
-        (count(|kind| matches!(kind, LightKind::Spot { .. })), "spot"),
-        (count(|kind| matches!(kind, LightKind::Point { .. })), "point light"),
-    ];
-    let plural = |count: usize| if count == 1 { "" } else { "s" };
-    let present = kinds.into_iter().filter(|(count, _)| *count > 0);
-    let counts: Vec<String> =
-        present.map(|(count, name)| format!("{count} {name}{}", plural(count))).collect();
+    let name = |kind: &LightKind| match kind {
+        LightKind::Directional => "sun",
+        LightKind::Spot { .. } => "spot",
+        LightKind::Point { .. } => "point light",
+    };
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for light in &scene.lights {
+        let name = name(&light.kind);
+        match counts.iter_mut().find(|(counted, _)| *counted == name) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((name, 1)),
+        }
+    }
+    let text = |(name, count): (&str, usize)| format!("{count} {name}{}", if count == 1 { "" } else { "s" });
+    let counts: Vec<String> = counts.into_iter().map(text).collect();
     let turns = scene.lights.iter().find_map(|light| match light.motion {
         Motion::Turn { radians_per_second, .. } => Some(TAU / radians_per_second.abs()),
         Motion::Still => None,
