@@ -1,7 +1,7 @@
 //! `docs/biases.md`: each kind of bias at the strength that serves it best; and `docs/pictures/bias-roc.svg`. Both from
 //! `umbrage report experiments/bias-roc.toml`.
 //!
-//! A kind is a way that sweeps its strength. The middle value is what theory asks, and strengths are told in it.
+//! A kind is a variant that sweeps its strength. The middle value is what theory asks, and strengths are told in it.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -9,13 +9,12 @@ use std::path::Path;
 use anyhow::Context as _;
 use serde_json::Value;
 
-use crate::command::{root, umbrage};
-use crate::error::plots;
+use crate::command::write_document;
+use crate::reports::Reports;
 
-const EXPERIMENT: &str = "experiments/bias-roc.toml";
-const FOLDER: &str = "target/report";
+const EXPERIMENT: &str = "bias-roc";
 
-/// Between which false light false shadow is averaged: from the least that any setting has to what is too much.
+/// Between which false light false shadow is averaged: from the minimum that any setting has to what is too much.
 const FALSE_LIGHT: [f64; 2] = [0.0005, 0.0025];
 
 /// One strength of a kind, the mean of all pictures; shares of the judged pixels.
@@ -32,25 +31,13 @@ struct Kind {
     settings: Vec<Setting>,
 }
 
-/// Runs the experiment, unless `pages` is a folder that has its page already, and writes the document and the picture.
+/// Runs the experiment, unless `pages` is a folder that has its report already, and writes the document and the picture.
 pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
-    if pages.is_none() {
-        let mut args = vec!["report", EXPERIMENT, "-o", FOLDER];
-        args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
-        umbrage(&args)?;
-    }
-    let folder = root().join(pages.unwrap_or(Path::new(FOLDER)));
-    let read = |name: &str| {
-        std::fs::read_to_string(folder.join(name))
-            .with_context(|| format!("no {name} in {}", folder.display()))
-    };
-    let curves = read("bias-roc.html")?;
-    let plot = plots(&curves).next().context("the page of bias-roc has no plot")?;
-    std::fs::write(root().join("docs/pictures/bias-roc.svg"), plot)?;
-    let results: Value = serde_json::from_str(&read("bias-roc.json")?)?;
-    let page = page(&results).context("a key is missing in the results of the experiment")?;
-    std::fs::write(root().join("docs/biases.md"), page)?;
-    Ok(())
+    let reports = Reports::of(&[EXPERIMENT], adapter, pages)?;
+    reports.copy_plots(EXPERIMENT, ["bias-roc.svg"])?;
+    let page =
+        page(&reports.results(EXPERIMENT)?).context("a key is missing in the results of the experiment")?;
+    write_document("docs/biases.md", &page)
 }
 
 fn page(results: &Value) -> Option<String> {
@@ -59,10 +46,10 @@ fn page(results: &Value) -> Option<String> {
     let first = &rows.first()?["measurement"];
     let mut text = format!(
         "# Every kind of bias\n\n\
-         Written by `cargo xtask biases`; do not edit. `umbrage report {EXPERIMENT} -o DIR` makes the page.\n\n\
+         Written by `cargo xtask biases`; do not edit. `umbrage report experiments/{EXPERIMENT}.toml -o DIR` makes the page.\n\n\
          Adapter: {}.\nCommit: {}.\nPictures of {} x {} pixels of `{}`, the means over its cameras; one comparison a pixel.\n\n\
          Strengths are in what theory asks. The area is the geometric mean of false shadow over false light from {:.2} to \
-         {:.2} %: at each, the least of the kind's settings that let in no more, and that of no bias where none does.\n",
+         {:.2} %: at each, the minimum of the kind's settings that let in no more, and that of no bias where none does.\n",
         first["adapter"].as_str()?,
         rows.first()?["machine"]["commit"].as_str()?,
         first["width"],
@@ -76,7 +63,7 @@ fn page(results: &Value) -> Option<String> {
     let unbiased = kinds.iter().flat_map(|kind| &kind.settings).map(|of| of.false_shadow).fold(0.0, f64::max);
     let names = if names.is_empty() { "none".to_owned() } else { names.join("; ") };
     writeln!(text, "Kinds that bring false shadow below 0.001 %: {names}.\n").ok()?;
-    text += "| kind | acne below 0.01 % from | least false shadow | at | false light there | acne there | area |\n|---|---|---|---|---|---|---|\n";
+    text += "| kind | acne below 0.01 % from | minimum of false shadow | at | false light there | acne there | area |\n|---|---|---|---|---|---|---|\n";
     for Kind { name, settings } in &kinds {
         let best = settings.iter().min_by(|a, b| a.false_shadow.total_cmp(&b.false_shadow))?;
         let clean = settings.iter().find(|of| of.acne < 1e-4);
@@ -101,11 +88,11 @@ fn kinds(rows: &[Value]) -> Option<Vec<Kind>> {
     let swept = |row: &Value| row["swept"].as_f64();
     let mut kinds: Vec<Kind> = Vec::new();
     for row in rows.iter().filter(|row| swept(row).is_some()) {
-        let name = row["way"].as_str()?;
+        let name = row["variant"].as_str()?;
         if kinds.iter().any(|kind| kind.name == name) {
             continue;
         }
-        let own: Vec<&Value> = rows.iter().filter(|row| row["way"] == name).collect();
+        let own: Vec<&Value> = rows.iter().filter(|row| row["variant"] == name).collect();
         let mut values: Vec<f64> = own.iter().filter_map(|row| swept(row)).collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
@@ -130,19 +117,19 @@ fn kinds(rows: &[Value]) -> Option<Vec<Kind>> {
     Some(kinds)
 }
 
-/// The geometric mean of the least false shadow over the range of [`FALSE_LIGHT`]; `unbiased` where no setting lets in so
+/// The geometric mean of the minimum of false shadow over the range of [`FALSE_LIGHT`]; `unbiased` where no setting lets in so
 /// little.
 fn area(settings: &[Setting], unbiased: f64) -> f64 {
     let [start, end] = FALSE_LIGHT;
     let mut stairs: Vec<&Setting> = settings.iter().collect();
     stairs.sort_by(|a, b| a.false_light.total_cmp(&b.false_light));
-    let (mut sum, mut from, mut least) = (0.0, start, unbiased);
+    let (mut sum, mut from, mut min) = (0.0, start, unbiased);
     for Setting { false_light, false_shadow, .. } in stairs {
         let to = false_light.clamp(start, end);
-        sum += least.ln() * (to - from);
-        (from, least) = (to, least.min(*false_shadow));
+        sum += min.ln() * (to - from);
+        (from, min) = (to, min.min(*false_shadow));
     }
-    ((sum + least.ln() * (end - from)) / (end - start)).exp()
+    ((sum + min.ln() * (end - from)) / (end - start)).exp()
 }
 
 #[cfg(test)]
@@ -168,7 +155,7 @@ mod tests {
             let error = serde_json::json!({
                 "false_shadow": false_shadow, "false_light": 0.0, "causes": { "acne": 0.0 }
             });
-            serde_json::json!({ "way": "slope", "swept": value, "measurement": { "error": error } })
+            serde_json::json!({ "variant": "slope", "swept": value, "measurement": { "error": error } })
         };
         let rows = [row(0.0, 0.5), row(0.7, 0.1), row(1.4, 0.0), row(0.7, 0.3)];
         let kinds = kinds(&rows).unwrap_or_default();

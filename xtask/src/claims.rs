@@ -1,11 +1,13 @@
-//! `docs/claims.md`: which of the papers' claims hold here, as the pages of `umbrage report` have it.
+//! `docs/claims.md`: which of the papers' claims hold here, as the reports of `umbrage report` have it.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
 use anyhow::Context as _;
+use serde_json::Value;
 
-use crate::command::{root, umbrage};
+use crate::command::write_document;
+use crate::reports::Reports;
 
 /// The experiments whose claims are told, in order, each with what it comes to.
 const EXPERIMENTS: [(&str, &str); 3] = [
@@ -13,154 +15,103 @@ const EXPERIMENTS: [(&str, &str); 3] = [
     ("dueling-frusta", include_str!("claims/dueling-frusta.md")),
     ("zhang-figure-8", include_str!("claims/zhang-figure-8.md")),
 ];
-const FOLDER: &str = "target/report";
 
-/// Runs the experiments, unless `pages` is a folder that has their pages already, and writes the document.
+/// Runs the experiments, unless `pages` is a folder that has their reports already, and writes the document.
 pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
-    if pages.is_none() {
-        for (name, _) in EXPERIMENTS {
-            let experiment = format!("experiments/{name}.toml");
-            let mut args = vec!["report", &experiment, "-o", FOLDER];
-            args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
-            umbrage(&args)?;
-        }
-    }
-    let folder = root().join(pages.unwrap_or(Path::new(FOLDER)));
+    let reports = Reports::of(&EXPERIMENTS.map(|(name, _)| name), adapter, pages)?;
     let mut text = "# Which claims hold here\n\n\
         Written by `cargo xtask claims`; do not edit. `umbrage report experiments/NAME.toml -o DIR` makes each page with \
         its pictures.\n\n\
-        A ratio is the mean over jittered cameras, both ways drawn from the same one, with half its 95 % interval. \
+        A ratio is the mean over jittered cameras, both variants drawn from the same one, with half its 95 % interval. \
         A claim holds where the whole interval is at most what is claimed.\n"
         .to_owned();
     for (name, found) in EXPERIMENTS {
-        let page = std::fs::read_to_string(folder.join(format!("{name}.html")))
-            .with_context(|| format!("no page {name}.html in {}", folder.display()))?;
-        text += &chapter(name, found, &page).with_context(|| format!("the page of {name} lacks a part"))?;
+        text += &chapter(name, found, &reports)?;
     }
-    let path = root().join("docs/claims.md");
-    let draft = path.with_extension("md.new");
-    std::fs::write(&draft, text)?;
-    std::fs::rename(draft, path)?;
-    Ok(())
+    write_document("docs/claims.md", &text)
 }
 
 /// One experiment: its claims, its figures, and what it was made with.
-fn chapter(name: &str, found: &str, page: &str) -> Option<String> {
-    let title = plain(between(page, "<h1>", "</h1>")?);
-    let mut text = format!("\n## {title}\n\n`experiments/{name}.toml`\n\n{}\n", found.trim());
-    text += &said(page)?;
-    text += "\n### Figures\n\n";
-    text += &table(section(page, "table")?);
-    text += "\n### Made with\n\n";
-    text += &table(section(page, "machines")?);
-    Some(text)
+fn chapter(name: &str, found: &str, reports: &Reports) -> anyhow::Result<String> {
+    let verdicts = reports.verdicts(name)?;
+    let title = verdicts["title"].as_str().with_context(|| format!("the verdicts of {name} lack a title"))?;
+    let claims = said(name, reports)?;
+    let (figures, machines) = (reports.table(name, "figures")?, reports.table(name, "machines")?);
+    Ok(format!(
+        "\n## {title}\n\n`experiments/{name}.toml`\n\n{}\n{claims}\n### Figures\n\n{figures}\n### Made with\n\n{machines}",
+        found.trim()
+    ))
 }
 
-/// The claims of a page, each with whether it holds and the table of its figures.
-pub fn said(page: &str) -> Option<String> {
+/// The claims of an experiment, each with whether it holds and the table of its figures.
+pub fn said(name: &str, reports: &Reports) -> anyhow::Result<String> {
+    let verdicts = reports.verdicts(name)?;
+    let incomplete = || format!("the verdicts of {name} lack a claim");
     let mut text = String::new();
-    for article in section(page, "claims")?.split("<article").skip(1) {
-        let heading = between(article, "<h3>", "</h3>")?;
-        let (badge, says) = heading.split_once("</span>")?;
-        let _ = write!(text, "\n**{}** — {}\n\n", plain(says), plain(badge));
-        text += &table(article);
-    }
-    Some(text)
-}
-
-fn section<'a>(page: &'a str, id: &str) -> Option<&'a str> {
-    between(page, &format!("<section id=\"{id}\">"), "</section>")
-}
-
-fn between<'a>(text: &'a str, start: &str, end: &str) -> Option<&'a str> {
-    let from = text.find(start)? + start.len();
-    Some(&text[from..from + text[from..].find(end)?])
-}
-
-/// The first table of some HTML as Markdown; empty where there is none. A cell over many columns is bold.
-fn table(html: &str) -> String {
-    let Some(table) = between(html, "<table>", "</table>") else { return String::new() };
-    let rows: Vec<Vec<String>> = table.split("<tr").skip(1).map(cells).collect();
-    let columns = rows.first().map_or(0, Vec::len);
-    let mut text = String::new();
-    for (i, row) in rows.iter().enumerate() {
-        let row = match row.as_slice() {
-            [place] if columns > 1 => format!("**{place}**{}", " |".repeat(columns - 1)),
-            cells => cells.join(" | "),
-        };
-        let _ = writeln!(text, "| {row} |");
-        if i == 0 {
-            let _ = writeln!(text, "|{}", "---|".repeat(columns));
+    for claim in verdicts["claims"].as_array().with_context(incomplete)? {
+        let [says, verdict] = ["says", "verdict"].map(|key| claim[key].as_str().with_context(incomplete));
+        let _ = write!(text, "\n**{}** — {}\n\n", says?, verdict?);
+        if let Some(table) = claim["table"].as_str() {
+            text += &reports.table(name, table)?;
         }
     }
-    text
-}
-
-fn cells(row: &str) -> Vec<String> {
-    let row = row.split("</tr>").next().unwrap_or_default();
-    let starts =
-        row.match_indices("<t").filter(|(i, _)| matches!(row.as_bytes().get(i + 2), Some(b'd' | b'h')));
-    let starts: Vec<usize> = starts.map(|(i, _)| i).collect();
-    let ends = starts.iter().skip(1).copied().chain([row.len()]);
-    starts.iter().zip(ends).map(|(start, end)| plain(&row[*start..end])).collect()
-}
-
-/// The words of some HTML, without its tags.
-fn plain(html: &str) -> String {
-    let mut text = String::new();
-    let mut is_tag = false;
-    for letter in html.chars() {
-        match letter {
-            '<' => {
-                is_tag = true;
-                text.push(' ');
-            }
-            '>' => is_tag = false,
-            letter if !is_tag => text.push(letter),
-            _ => {}
-        }
-    }
-    // A heading may begin in the middle of a tag.
-    let text = match (html.find('>'), html.find('<')) {
-        (Some(end), start) if start.is_none_or(|start| end < start) => plain(&html[end + 1..]),
-        _ => text,
-    };
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let mut text = words.join(" ");
-    // An ampersand last: what it begins is no entity.
-    for (entity, letter) in
-        [("&#8239;", " "), ("&#39;", "'"), ("&quot;", "\""), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")]
-    {
-        text = text.replace(entity, letter);
-    }
-    text.replace('|', "\\|")
+    Ok(text)
 }
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
-    #[test]
-    fn a_table_of_a_page_becomes_markdown() {
-        let html = "<p>x</p><table>\n<thead><tr><th>way</th><th class=\"n\">error<br><small>px</small></th></tr></thead>\
-                    <tbody><tr class=\"place\"><th colspan=\"2\">a <span>from b</span></th></tr>\
-                    <tr><td>one</td><td class=\"n\">1.5 <small>± 0.1</small></td></tr></tbody></table>";
-        assert_eq!(table(html), "| way | error px |\n|---|---|\n| **a from b** | |\n| one | 1.5 ± 0.1 |\n");
-        assert_eq!(table("<p>none</p>"), "");
+    /// A folder that is gone after the test, with the report of one experiment.
+    struct Folder(std::path::PathBuf);
+
+    impl Folder {
+        fn new(name: &str, verdicts: &Value) -> Self {
+            let folder = std::env::temp_dir().join(format!("umbrage-xtask-{}-{name}", std::process::id()));
+            let tables = folder.join(name).join("tables");
+            std::fs::create_dir_all(&tables).expect("a folder");
+            for (file, text) in [
+                ("verdicts.json", verdicts.to_string()),
+                ("tables/figures.md", "| variant |\n".to_owned()),
+                ("tables/machines.md", "| adapter |\n".to_owned()),
+                ("tables/claim-1.md", "| world |\n".to_owned()),
+            ] {
+                std::fs::write(folder.join(name).join(file), text).expect("a file");
+            }
+            Self(folder)
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = std::fs::remove_dir_all(&self.0);
+        }
     }
 
     #[test]
     fn a_chapter_says_of_each_claim_whether_it_holds() {
-        let page = "<h1>Four &amp; one</h1><section id=\"claims\"><article class=\"claim\"><h3><span class=\"badge\">holds\
-                    </span> Four are better.</h3><table><tr><th>world</th></tr></table></article></section>\
-                    <section id=\"table\"><table></table></section><section id=\"machines\"></section>";
-        let text = chapter("zhang-table-1", "Four are.", page).unwrap_or_default();
-        assert!(
-            text.contains("## Four & one")
-                && text.contains("Four are.")
-                && text.contains("**Four are better.** — holds"),
-            "{text}"
+        let claims = json!([
+            { "says": "Four are better.", "verdict": "holds", "table": "claim-1" },
+            { "says": "Five are too.", "verdict": "not decided", "table": null },
+        ]);
+        let folder = Folder::new("whole", &json!({ "title": "Four & one", "claims": claims }));
+        let reports = Reports::of(&[], None, Some(&folder.0)).expect("reports");
+        let text = chapter("whole", "Four are.\n", &reports).expect("a chapter");
+        assert_eq!(
+            text,
+            "\n## Four & one\n\n`experiments/whole.toml`\n\nFour are.\n\n**Four are better.** — holds\n\n| world |\n\
+             \n**Five are too.** — not decided\n\n\n### Figures\n\n| variant |\n\n### Made with\n\n| adapter |\n"
         );
-        assert_eq!(chapter("x", "", "<h1>only a title</h1>"), None);
+    }
+
+    #[test]
+    fn a_report_that_lacks_a_part_is_named() {
+        let folder = Folder::new("part", &json!({ "title": "Only a title" }));
+        let reports = Reports::of(&[], None, Some(&folder.0)).expect("reports");
+        let why = |name: &str| format!("{:#}", chapter(name, "", &reports).expect_err("no chapter"));
+        assert!(why("part").contains("the verdicts of part lack a claim"), "{}", why("part"));
+        assert!(why("other").contains("no other/verdicts.json in "), "{}", why("other"));
     }
 }

@@ -1,4 +1,4 @@
-//! Other programs, run from the repository's root, and the machine that they run on.
+//! Other programs, run from the repository's root, the machine that they run on, and the documents that come of it.
 
 use std::path::Path;
 use std::process::Command;
@@ -23,6 +23,15 @@ pub fn run(program: &str, args: &[&str]) -> anyhow::Result<String> {
 /// Runs the release build of `umbrage`.
 pub fn umbrage(args: &[&str]) -> anyhow::Result<String> {
     run("cargo", &[&["run", "--release", "--quiet", "-p", "umbrage-cli", "--"], args].concat())
+}
+
+/// Writes a document, given by its path from the root, whole or not at all.
+pub fn write_document(path: &str, text: &str) -> anyhow::Result<()> {
+    let path = root().join(path);
+    let draft = path.with_extension("md.new");
+    std::fs::write(&draft, text)?;
+    std::fs::rename(draft, path)?;
+    Ok(())
 }
 
 /// Processor, cores and system.

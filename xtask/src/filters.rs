@@ -7,13 +7,12 @@ use anyhow::Context as _;
 use serde_json::Value;
 
 use crate::claims;
-use crate::command::{machine, root, umbrage};
-use crate::error::plots;
+use crate::command::{machine, write_document};
+use crate::reports::Reports;
 
 const STILL: &str = "filters";
 const PRESETS: &str = "presets";
 const MOVING: &str = "filters-shimmer";
-const FOLDER: &str = "target/report";
 
 /// What the numbers come to, in words; they are read again when the numbers change.
 const FOUND: &str = include_str!("filters/found.md");
@@ -37,42 +36,21 @@ const PRESET_PLOTS: [(&str, &str); 4] = [
 /// The contact sheet, as `umbrage report` calls it.
 const SHEET: &str = "filters-knights.png";
 
-/// Runs the experiments, unless `pages` is a folder that has their pages already, and writes the document.
+/// Runs the experiments, unless `pages` is a folder that has their reports already, and writes the document.
 pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
-    if pages.is_none() {
-        for name in [STILL, PRESETS, MOVING] {
-            let experiment = format!("experiments/{name}.toml");
-            let mut args = vec!["report", &experiment, "-o", FOLDER];
-            args.extend(adapter.iter().flat_map(|adapter| ["--adapter", adapter]));
-            umbrage(&args)?;
-        }
-    }
-    let folder = root().join(pages.unwrap_or(Path::new(FOLDER)));
-    let read = |file: String| {
-        std::fs::read_to_string(folder.join(&file))
-            .with_context(|| format!("no {file} in {}", folder.display()))
-    };
-    let results = |name: &str| anyhow::Ok(serde_json::from_str::<Value>(&read(format!("{name}.json"))?)?);
-    let mut text = document(&results(STILL)?, &results(PRESETS)?, &results(MOVING)?)
+    let experiments = [STILL, PRESETS, MOVING];
+    let reports = Reports::of(&experiments, adapter, pages)?;
+    let [still, presets, moving] = experiments.map(|name| reports.results(name));
+    let mut text = document(&still?, &presets?, &moving?)
         .context("a key is missing in the results of the experiments")?;
     text += "\n## Claims\n";
-    for name in [STILL, PRESETS, MOVING] {
-        let page = read(format!("{name}.html"))?;
-        text += &claims::said(&page).with_context(|| format!("the page of {name} lacks a claim"))?;
+    for name in experiments {
+        text += &claims::said(name, &reports)?;
     }
-    let pictures = root().join("docs/pictures");
-    for (name, files) in [(STILL, PLOTS), (PRESETS, PRESET_PLOTS)] {
-        for ((file, _), plot) in files.iter().zip(plots(&read(format!("{name}.html"))?)) {
-            std::fs::write(pictures.join(file), plot)?;
-        }
-    }
-    std::fs::copy(folder.join(SHEET), pictures.join("filters.png"))
-        .with_context(|| format!("no {SHEET} in {}", folder.display()))?;
-    let path = root().join("docs/filters.md");
-    let draft = path.with_extension("md.new");
-    std::fs::write(&draft, text)?;
-    std::fs::rename(draft, path)?;
-    Ok(())
+    reports.copy_plots(STILL, PLOTS.map(|(file, _)| file))?;
+    reports.copy_plots(PRESETS, PRESET_PLOTS.map(|(file, _)| file))?;
+    reports.copy_picture(SHEET, "filters.png")?;
+    write_document("docs/filters.md", &text)
 }
 
 fn document(still: &Value, presets: &Value, moving: &Value) -> Option<String> {
@@ -88,11 +66,11 @@ fn document(still: &Value, presets: &Value, moving: &Value) -> Option<String> {
         first["machine"]["commit"].as_str()?,
     );
     if adapter.contains("software") {
-        text += "This adapter is software on a shared machine: times say which way is dearer where they are far apart, and no more.\n";
+        text += "This adapter is software on a shared machine: times say which variant is dearer where they are far apart, and no more.\n";
     }
     let _ = write!(
         text,
-        "\n{}\n\n![A part of the world knights, once for each way.](pictures/filters.png)\n",
+        "\n{}\n\n![A part of the world knights, once for each variant.](pictures/filters.png)\n",
         FOUND.trim()
     );
     text += "\n## What is best for its price\n\nMeans over the worlds. Grey joins what nothing else beats in both.\n";
@@ -121,16 +99,16 @@ fn world_by_world(results: &Value) -> Option<String> {
     let mut text = String::new();
     for world in results["experiment"]["worlds"].as_array()? {
         let _ = write!(text, "\n### {}\n\n", world.as_str()?);
-        text += "| way | pixel | sun | wide sun | umbrae, sun | umbrae, wide sun | false shadow | false light | filter | shading | frame | MiB | pixels |\n\
+        text += "| variant | pixel | sun | wide sun | umbrae, sun | umbrae, wide sun | false shadow | false light | filter | shading | frame | MiB | pixels |\n\
                  |---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-        for row in results["rows"].as_array()?.iter().filter(|row| row["cell"]["world"] == *world) {
+        for row in results["rows"].as_array()?.iter().filter(|row| row["run"]["world"] == *world) {
             text += &line(row)?;
         }
     }
     Some(text)
 }
 
-/// A way's figures in one world.
+/// A variant's figures in one world.
 fn line(row: &Value) -> Option<String> {
     let measurement = &row["measurement"];
     let number = |pointer: &str| measurement.pointer(pointer).and_then(Value::as_f64);
@@ -149,7 +127,7 @@ fn line(row: &Value) -> Option<String> {
         })
     };
     let cells = [
-        row["way"].as_str()?.to_owned(),
+        row["variant"].as_str()?.to_owned(),
         error("/sub_pixel/rmse"),
         error("/sun/rmse"),
         error("/wide_sun/rmse"),
@@ -166,7 +144,7 @@ fn line(row: &Value) -> Option<String> {
     Some(format!("| {} |\n", cells.join(" | ")))
 }
 
-/// How much each filter trembles along each path: the most of all worlds.
+/// How much each filter trembles along each path: the maximum over all worlds.
 fn trembling(moving: &Value) -> Option<String> {
     const PATHS: [&str; 4] = ["translate", "yaw", "walk", "fast"];
     let rows = moving["rows"].as_array()?;
@@ -175,23 +153,23 @@ fn trembling(moving: &Value) -> Option<String> {
         "\n## What trembles as the camera moves\n\n\
          `experiments/{MOVING}.toml`: {} frames of each path, under the stable fit where nothing else is said. \
          Flips are changes between lit and shadowed while one map serves the place, per cent of the points a frame; \
-         shimmer is how much visibility between the two trembles, in thousandths, changes of maps included. Each is the most of all worlds.\n\n\
-         | way | flips: sideways | turning | walking | fast | shimmer: sideways | turning | walking | fast |\n\
+         shimmer is how much visibility between the two trembles, in thousandths, changes of maps included. Each is the maximum over all worlds.\n\n\
+         | variant | flips: sideways | turning | walking | fast | shimmer: sideways | turning | walking | fast |\n\
          |---|---|---|---|---|---|---|---|---|\n",
         first["frames"],
     );
-    for way in moving["experiment"]["ways"].as_array()? {
-        let most = |path: &str, key: &str| {
+    for variant in moving["experiment"]["variants"].as_array()? {
+        let max = |path: &str, key: &str| {
             let of_path =
-                rows.iter().filter(|row| row["way"] == way["name"] && row["cell"]["motion"] == path);
+                rows.iter().filter(|row| row["variant"] == variant["name"] && row["run"]["motion"] == path);
             of_path
                 .map(|row| row["measurement"]["flicker"][key].as_f64())
-                .try_fold(0f64, |most, value| Some(most.max(value?)))
+                .try_fold(0f64, |max, value| Some(max.max(value?)))
         };
-        let mut cells = vec![way["name"].as_str()?.to_owned()];
+        let mut cells = vec![variant["name"].as_str()?.to_owned()];
         for (key, scale) in [("flip_rate_within_maps", 100.0), ("shimmer", 1000.0)] {
             for path in PATHS {
-                cells.push(format!("{:.3}", scale * most(path, key)?));
+                cells.push(format!("{:.3}", scale * max(path, key)?));
             }
         }
         let _ = writeln!(text, "| {} |", cells.join(" | "));
@@ -209,7 +187,7 @@ mod tests {
         let spread = json!({ "median": 30.4, "p5": 20.0, "p95": 41.0 });
         let deviation = json!({ "rmse": 0.0625, "umbra_light": 0.015 });
         let row = json!({
-            "way": "hard", "cell": { "world": "a" }, "machine": { "adapter": "software", "commit": "c0ffee" },
+            "variant": "hard", "run": { "world": "a" }, "machine": { "adapter": "software", "commit": "c0ffee" },
             "measurement": {
                 "width": 64, "height": 36, "bytes": 16 << 20, "truth": { "pixels": 99 },
                 "sub_pixel": deviation, "sun": deviation, "wide_sun": null,
@@ -223,15 +201,15 @@ mod tests {
     fn moving() -> Value {
         let row = |motion: &str, world: &str, rate: f64| {
             let flicker = json!({ "frames": 16, "flip_rate_within_maps": rate, "shimmer": 0.001 });
-            json!({ "way": "hard", "cell": { "world": world, "motion": motion }, "measurement": { "flicker": flicker } })
+            json!({ "variant": "hard", "run": { "world": world, "motion": motion }, "measurement": { "flicker": flicker } })
         };
         let rows =
             ["translate", "yaw", "walk", "fast"].map(|path| [row(path, "a", 0.0), row(path, "b", 0.02)]);
-        json!({ "experiment": { "ways": [{ "name": "hard" }] }, "rows": rows.concat() })
+        json!({ "experiment": { "variants": [{ "name": "hard" }] }, "rows": rows.concat() })
     }
 
     #[test]
-    fn a_way_has_a_line_in_each_world_and_one_of_its_worst_trembling() {
+    fn a_variant_has_a_line_in_each_world_and_one_of_its_worst_trembling() {
         let text = document(&still(), &still(), &moving()).expect("a document");
         for line in [
             "| hard | 0.0625 | 0.0625 | none | 1.50 | none | 1.00 | 2.00 | 0 | 30 (20 to 41) | 30 (20 to 41) | 16 | 99 |",

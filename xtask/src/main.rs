@@ -4,7 +4,7 @@
 //! filter in `docs/filters.md`, `cargo xtask pictures` draws the pictures of the documents, `cargo xtask web` builds the
 //! web page.
 //!
-//! This crate does not: see any of the others. It runs the command `umbrage` and reads its JSON.
+//! This crate does not: see any of the others. It runs the command `umbrage`, and joins and copies what that leaves.
 
 mod biases;
 mod claims;
@@ -12,6 +12,7 @@ mod command;
 mod error;
 mod filters;
 mod pictures;
+mod reports;
 mod results;
 #[cfg(feature = "web")]
 mod web;
@@ -51,7 +52,7 @@ enum Chore {
         /// Part of the name of the adapter to draw on
         #[arg(long)]
         adapter: Option<String>,
-        /// A folder with the page of `umbrage report`, where it is made already
+        /// A folder with what `umbrage report` leaves, where it is made already
         #[arg(long, value_name = "DIR")]
         pages: Option<std::path::PathBuf>,
     },
@@ -60,7 +61,7 @@ enum Chore {
         /// Part of the name of the adapter to draw on
         #[arg(long)]
         adapter: Option<String>,
-        /// A folder with the pages of `umbrage report`, where they are made already
+        /// A folder with what `umbrage report` leaves, where it is made already
         #[arg(long, value_name = "DIR")]
         pages: Option<std::path::PathBuf>,
     },
@@ -69,7 +70,7 @@ enum Chore {
         /// Part of the name of the adapter to draw on
         #[arg(long)]
         adapter: Option<String>,
-        /// A folder with the pages of `umbrage report`, where they are made already
+        /// A folder with what `umbrage report` leaves, where it is made already
         #[arg(long, value_name = "DIR")]
         pages: Option<std::path::PathBuf>,
     },

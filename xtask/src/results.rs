@@ -6,7 +6,9 @@ use std::fmt::Write as _;
 use anyhow::Context as _;
 use serde_json::Value;
 
-use crate::command::{machine, root, run, umbrage};
+use crate::command::{machine, root, run, umbrage, write_document};
+
+const DOCUMENT: &str = "docs/results.md";
 
 const WORLDS: &[&str] = &[
     "primitives",
@@ -48,23 +50,15 @@ pub fn write(adapter: Option<&str>, frames: u32) -> anyhow::Result<()> {
     let mut text =
         page(&worlds, &large, &commit).context("a key is missing in the output of `umbrage bench`")?;
     text += &planning(&commit)?;
-    replace(&text)
+    write_document(DOCUMENT, &text)
 }
 
 /// Measures planning alone, and leaves the rest of the document as it is.
 pub fn write_planning() -> anyhow::Result<()> {
     let commit = run("git", &["rev-parse", "--short", "HEAD"])?;
-    let old = std::fs::read_to_string(root().join("docs/results.md"))?;
+    let old = std::fs::read_to_string(root().join(DOCUMENT))?;
     let rest = old.split(PLANNING).next().unwrap_or_default();
-    replace(&format!("{rest}{}", planning(&commit)?))
-}
-
-fn replace(text: &str) -> anyhow::Result<()> {
-    let path = root().join("docs/results.md");
-    let draft = path.with_extension("md.new");
-    std::fs::write(&draft, text)?;
-    std::fs::rename(draft, path)?;
-    Ok(())
+    write_document(DOCUMENT, &format!("{rest}{}", planning(&commit)?))
 }
 
 /// Begins the part on planning.

@@ -8,7 +8,20 @@ use cargo_metadata::{DependencyKind, MetadataCommand};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("umbrage-core", &["arrayvec", "glam", "serde"]),
     ("umbrage", &["umbrage-core", "wgpu", "encase", "bytemuck", "thiserror", "glam"]),
-    ("umbrage-scene", &["glam", "gltf", "tobj", "image", "noise-functions", "rand_pcg", "thiserror"]),
+    (
+        "umbrage-scene",
+        &[
+            "base64",
+            "glam",
+            "gltf",
+            "image",
+            "noise-functions",
+            "percent-encoding",
+            "rand_pcg",
+            "thiserror",
+            "tobj",
+        ],
+    ),
     (
         "umbrage-render",
         &[
@@ -34,6 +47,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "umbrage-judge",
             "glam",
             "image",
+            "maud",
             "plotters",
             "rayon",
             "serde",

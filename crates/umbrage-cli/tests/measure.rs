@@ -103,11 +103,11 @@ size = [96, 54]
 repeats = 2
 columns = ["error.mis_shadowed", "bytes"]
 
-[[ways]]
+[[variants]]
 name = "coarse"
 set = { resolution = 128 }
 
-[[ways]]
+[[variants]]
 name = "fine"
 
 [[plots]]
@@ -118,7 +118,7 @@ pareto = true
 [[claims]]
 says = "Finer is better."
 figure = "error.mis_shadowed"
-way = "fine"
+variant = "fine"
 than = "coarse"
 "#;
 
@@ -126,8 +126,8 @@ than = "coarse"
 fn a_report_that_was_cut_off_gives_the_same_page_as_one_that_ran_through() {
     let folder = tempfile::tempdir().expect("a folder");
     let experiment = folder.path().join("small.toml");
-    let enlarged = "[enlarged]\nprimitives = [20, 10, 40, 30]\n\n[[ways]]\nname = \"coarse\"";
-    let text_of_experiment = EXPERIMENT.replace("[[ways]]\nname = \"coarse\"", enlarged);
+    let enlarged = "[enlarged]\nprimitives = [20, 10, 40, 30]\n\n[[variants]]\nname = \"coarse\"";
+    let text_of_experiment = EXPERIMENT.replace("[[variants]]\nname = \"coarse\"", enlarged);
     std::fs::write(&experiment, text_of_experiment).expect("written");
     let report = |name: &str| {
         let out = folder.path().join(name);
@@ -141,13 +141,13 @@ fn a_report_that_was_cut_off_gives_the_same_page_as_one_that_ran_through() {
     };
     let through = report("through");
     assert!(through[0].contains("Finer is better.") && through[0].contains("<svg"), "a page with a plot");
-    assert_eq!(through[2].lines().count(), 1 + 8, "a line a cell, and the header");
+    assert_eq!(through[2].lines().count(), 1 + 8, "a line a run, and the header");
 
     // As if cut off: half of the results are missing, and one is broken off in the middle.
     report("cut");
-    let cells = folder.path().join("cut").join("cells");
-    let mut results: Vec<_> = std::fs::read_dir(&cells)
-        .expect("cells")
+    let runs = folder.path().join("cut").join("runs");
+    let mut results: Vec<_> = std::fs::read_dir(&runs)
+        .expect("runs")
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
         .collect();
@@ -177,7 +177,7 @@ fn a_report_judges_by_the_truths_it_asks_for_and_a_wide_light_is_nearest_to_a_wi
     let json: Value = serde_json::from_str(&json).expect("JSON");
     let rows = json["rows"].as_array().expect("rows");
     let rmse = |way: &str, truth: &str| -> Vec<f64> {
-        let rows = rows.iter().filter(|row| row["way"] == way);
+        let rows = rows.iter().filter(|row| row["variant"] == way);
         rows.map(|row| row["measurement"][truth]["rmse"].as_f64().expect("a figure")).collect()
     };
     let (hard, wide) = (rmse("coarse", "wide_sun"), rmse("fine", "wide_sun"));

@@ -1,5 +1,5 @@
 //! Triangles and worlds as bytes: so that a program which shares no memory with this one, as a web page's worker, can build
-//! the tree. They are no file format: the program that reads them must be the one that wrote them.
+//! the BVH. They are no file format: the program that reads them must be the one that wrote them.
 
 use bytemuck::pod_collect_to_vec;
 use glam::Vec3;
@@ -8,7 +8,7 @@ use obvhs::bvh2::node::Bvh2Node;
 
 use crate::world::{Triangles, World};
 
-/// How many triangles and nodes follow, and how deep the tree is.
+/// The numbers of triangles and of nodes that follow, and the depth of the BVH.
 type Header = [u64; 3];
 
 const HEADER: usize = size_of::<Header>();
@@ -16,42 +16,42 @@ const CORNERS: usize = size_of::<[Vec3; 3]>();
 const NODE: usize = size_of::<Bvh2Node>();
 
 impl Triangles {
-    /// As bytes, for [`Self::from_bytes`].
+    /// Writes the value as bytes, for [`Self::from_bytes`] of the same program.
     pub fn to_bytes(&self) -> Vec<u8> {
         joined(self, None)
     }
 
-    /// What [`Self::to_bytes`] made; `None` for anything else.
+    /// Reads what [`Self::to_bytes`] made; `None` for any other bytes.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (triangles, tree) = parted(bytes)?;
-        tree.is_none().then_some(triangles)
+        let (triangles, bvh) = parted(bytes)?;
+        bvh.is_none().then_some(triangles)
     }
 }
 
 impl World {
-    /// As bytes, for [`Self::from_bytes`].
+    /// Writes the value as bytes, for [`Self::from_bytes`] of the same program.
     pub fn to_bytes(&self) -> Vec<u8> {
-        joined(&self.triangles, self.tree.as_ref())
+        joined(&self.triangles, self.bvh.as_ref())
     }
 
-    /// What [`Self::to_bytes`] made; `None` for anything else.
+    /// Reads what [`Self::to_bytes`] made; `None` for any other bytes.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (triangles, tree) = parted(bytes)?;
-        let nodes = tree.as_ref().map_or(&[][..], |tree| &tree.nodes);
+        let (triangles, bvh) = parted(bytes)?;
+        let nodes = bvh.as_ref().map_or(&[][..], |bvh| &bvh.nodes);
         let is_inside = |node: &Bvh2Node| {
             let (count, all) =
                 if node.is_leaf() { (node.prim_count, triangles.corners.len()) } else { (2, nodes.len()) };
             u64::from(node.first_index) + u64::from(count) <= all as u64
         };
         let is_whole = nodes.is_empty() == triangles.corners.is_empty() && nodes.iter().all(is_inside);
-        is_whole.then_some(Self { triangles, tree })
+        is_whole.then_some(Self { triangles, bvh })
     }
 }
 
-fn joined(Triangles { corners, still }: &Triangles, tree: Option<&Bvh2>) -> Vec<u8> {
-    let nodes = tree.map_or(&[][..], |tree| &tree.nodes);
+fn joined(Triangles { corners, still }: &Triangles, bvh: Option<&Bvh2>) -> Vec<u8> {
+    let nodes = bvh.map_or(&[][..], |bvh| &bvh.nodes);
     let header: Header =
-        [corners.len(), nodes.len(), tree.map_or(0, |tree| tree.max_depth)].map(|count| count as u64);
+        [corners.len(), nodes.len(), bvh.map_or(0, |bvh| bvh.max_depth)].map(|count| count as u64);
     let mut bytes = Vec::with_capacity(HEADER + corners.len() * (CORNERS + 1) + nodes.len() * NODE);
     bytes.extend_from_slice(bytemuck::bytes_of(&header));
     bytes.extend_from_slice(bytemuck::cast_slice(corners));
@@ -71,9 +71,9 @@ fn parted(bytes: &[u8]) -> Option<(Triangles, Option<Bvh2>)> {
     if rest.len() != nodes.checked_mul(NODE)? {
         return None;
     }
-    let tree = (nodes > 0).then(|| Bvh2 { nodes: pod_collect_to_vec(rest), max_depth, ..Bvh2::default() });
+    let bvh = (nodes > 0).then(|| Bvh2 { nodes: pod_collect_to_vec(rest), max_depth, ..Bvh2::default() });
     let still = still.iter().map(|still| *still != 0).collect();
-    Some((Triangles { corners: pod_collect_to_vec(corners), still }, tree))
+    Some((Triangles { corners: pod_collect_to_vec(corners), still }, bvh))
 }
 
 #[cfg(test)]
@@ -85,12 +85,12 @@ mod tests {
     use crate::Ray;
 
     #[test]
-    fn a_world_that_was_sorted_elsewhere_answers_as_one_that_was_sorted_here() {
+    fn a_world_that_was_built_elsewhere_answers_as_one_that_was_built_here() {
         let scene = worlds::build("knights", 0).expect("a world");
         let here = World::new(&scene, 0.5);
         let triangles = Triangles::from_bytes(&Triangles::of(&scene, 0.5).to_bytes()).expect("triangles");
         assert_eq!(triangles, Triangles::of(&scene, 0.5));
-        let there = World::from_bytes(&World::sorted(triangles).to_bytes()).expect("a world");
+        let there = World::from_bytes(&World::build(triangles).to_bytes()).expect("a world");
         assert_eq!(here.triangles().len(), there.triangles().len());
         let rays = (0..2000).map(|i| {
             let (sine, cosine) = f64::from(i).sin_cos();

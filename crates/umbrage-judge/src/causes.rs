@@ -1,26 +1,27 @@
 //! Why a pixel is wrong: what its surroundings say, and what a map's texel must have seen there.
+//!
+//! This is a leaf of [`crate::error`]: it classifies one pixel, and [`crate::Error`] adds up the shares.
 
 use glam::DVec3;
 
-use crate::error::Wrong;
 use crate::truth::{Receiver, shadow_ray};
-use crate::{Truth, World};
+use crate::{Truth, Verdict, World};
 
-/// Shares of judged pixels that are wrong, by cause. They add up to all that is wrong.
+/// The shares of judged pixels that are wrong, each 0 to 1, by cause. Together they are [`crate::Error::mis_shadowed`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Causes {
-    /// Near a true edge: within two texels, or two pixels where those are larger.
+    /// Share of wrong pixels near a true edge: within two texels of it, or two pixels where those are larger.
     pub edge: f64,
-    /// Falsely shadowed by the surface itself.
+    /// Share of pixels that are falsely shadowed by their own surface.
     pub acne: f64,
-    /// Falsely lit close to what shadows it: the shadow begins too late.
+    /// Share of pixels that are falsely lit close to what shadows them: the shadow begins too late.
     pub detach: f64,
-    /// Falsely lit in part: light that a filter let through.
+    /// Share of pixels that are falsely lit in part, by light that a filter let through.
     pub leak: f64,
-    /// Falsely lit where no map serves the pixel.
+    /// Share of pixels that are falsely lit because no map serves them.
     pub range: f64,
-    /// None of these.
+    /// Share of wrong pixels with none of these causes.
     pub other: f64,
 }
 
@@ -49,38 +50,44 @@ impl Causes {
     }
 }
 
-/// Why a claim about a receiver is wrong. `edge_distance` is that of its pixel to the nearest true edge, pixels.
+/// Says why a result is wrong about a receiver; `None` where it is right, or not judged. `texel_metres` is 0 where no map
+/// serves the receiver, `edge_distance` is that of its pixel to the nearest true edge, in pixels.
 pub(crate) fn cause(
     world: &World,
     truth: &Truth,
     receiver: &Receiver,
-    wrong: Wrong,
+    verdict: Verdict,
     visibility: f32,
     texel_metres: f32,
     edge_distance: f32,
-) -> Cause {
+) -> Option<Cause> {
+    if !verdict.is_wrong() {
+        return None;
+    }
     let Some(toward) = truth.light.toward(receiver.position) else {
-        return Cause::Other;
+        return Some(Cause::Other);
     };
     let to_light = toward.direction;
     let texel = f64::from(texel_metres);
     let cosine = receiver.normal.dot(to_light).clamp(1e-3, 1.0);
     let tangent = (1.0 - cosine * cosine).sqrt() / cosine;
     let pixels_a_texel = texel / cosine / truth.eye.pixel_metres(receiver.depth);
-    if texel == 0.0 && wrong == Wrong::FalseLight {
-        return Cause::Range;
+    if texel == 0.0 && verdict == Verdict::FalseLight {
+        return Some(Cause::Range);
     }
     if f64::from(edge_distance) <= 2.0 * pixels_a_texel.max(1.0) {
-        return Cause::Edge;
+        return Some(Cause::Edge);
     }
-    match wrong {
-        Wrong::FalseShadow if is_own_surface(world, truth, receiver, to_light, texel, tangent) => Cause::Acne,
-        Wrong::FalseShadow => Cause::Other,
-        Wrong::FalseLight if blocker_distance(world, truth, receiver) < 4.0 * texel * tangent.max(1.0) => {
-            Cause::Detach
+    match verdict {
+        Verdict::NotTraced | Verdict::NotJudged | Verdict::Right => None,
+        Verdict::FalseShadow if is_own_surface(world, truth, receiver, to_light, texel, tangent) => {
+            Some(Cause::Acne)
         }
-        Wrong::FalseLight if visibility < 0.95 => Cause::Leak,
-        Wrong::FalseLight => Cause::Other,
+        Verdict::FalseLight if blocker_distance(world, truth, receiver) < 4.0 * texel * tangent.max(1.0) => {
+            Some(Cause::Detach)
+        }
+        Verdict::FalseLight if visibility < 0.95 => Some(Cause::Leak),
+        Verdict::FalseShadow | Verdict::FalseLight => Some(Cause::Other),
     }
 }
 
@@ -107,7 +114,7 @@ fn is_own_surface(
     })
 }
 
-/// How far from a receiver the nearest thing on the way to the light is, metres; infinite where there is none.
+/// The distance from a receiver to the nearest blocker toward the light, metres; infinite where there is none.
 fn blocker_distance(world: &World, truth: &Truth, receiver: &Receiver) -> f64 {
     let (ray, end) = shadow_ray(&truth.light, receiver, 1.0);
     world.first_hit(&ray, 0.0, end).map_or(f64::INFINITY, |hit| hit.distance)

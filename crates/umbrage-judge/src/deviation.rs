@@ -3,36 +3,37 @@
 use crate::error::differences;
 use crate::{Smooth, Truth};
 
-/// What one light's shadows in a picture are, and what is claimed of them.
+/// One light's shadows in a picture, true and as a technique drew them.
 #[derive(Clone, Copy, Debug)]
 pub struct Compared<'a> {
-    /// Which pixels are judged.
+    /// The hard truth, which says which pixels are judged.
     pub truth: &'a Truth,
-    /// True visibility, between lit and shadowed.
+    /// The truth between lit and shadowed that visibility is compared with.
     pub smooth: &'a Smooth,
-    /// Claimed visibility of every pixel, 0 to 1.
+    /// The result's visibility of every pixel, 0 to 1.
     pub visibility: &'a [f32],
 }
 
-/// How far claims are from the truth, over all judged pixels.
+/// The deviation of visibility from a truth between lit and shadowed, over all judged pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Deviation {
-    /// Root of the mean squared error of visibility.
+    /// Root mean square error of visibility.
     pub rmse: f64,
     /// Mean absolute error of visibility.
     pub mae: f64,
-    /// Mean error of visibility; above 0 where shadows are too bright.
+    /// Mean signed error of visibility; above 0 where shadows are too bright.
     pub bias: f64,
-    /// False light inside umbrae: mean claimed visibility where the true one is exactly 0. `None` where there is no umbra.
+    /// False light inside umbrae: the result's mean visibility where the true one is exactly 0. `None` where there is no
+    /// umbra.
     pub umbra_light: Option<f64>,
 }
 
 impl Deviation {
-    /// Of several lights in one picture: every judged pixel of every light counts once. `None` where none is judged.
+    /// Compares several lights in one picture: every judged pixel of every light counts once. `None` where none is judged.
     ///
     /// # Panics
-    /// When a claim has another number of pixels than its truth.
+    /// When a result has another number of pixels than its truth.
     pub fn new(lights: &[Compared<'_>]) -> Option<Self> {
         let (mut errors, mut in_umbrae) = (Vec::new(), Vec::new());
         for Compared { truth, smooth, visibility } in lights {
@@ -79,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn light_inside_umbrae_is_the_mean_claim_where_truth_is_exactly_dark() {
+    fn light_inside_umbrae_is_the_mean_visibility_where_truth_is_exactly_dark() {
         let (truth, smooth) = (truth(5), smooth(&[0.0, 0.0, 0.001, 1.0, 0.0]));
         let visibility = [0.5, 0.0, 1.0, 1.0, 1.0];
         let deviation =

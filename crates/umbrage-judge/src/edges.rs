@@ -8,22 +8,22 @@
 
 use crate::{Pixel, Truth};
 
-/// The true shadow edges of a picture.
+/// The true shadow edges of a picture, pixel by pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edges {
-    /// How much edge there is at each pixel's right and lower side, pixels.
+    /// The length of edge at each pixel's right and lower side, in pixels.
     pub length_at: Vec<f32>,
-    /// How far each pixel's centre is from the nearest edge, pixels; infinite where there is none.
+    /// The distance of each pixel's centre from the nearest edge, in pixels; infinite where the picture has no edge.
     pub distance: Vec<f32>,
 }
 
 impl Edges {
-    /// The edges of a truth.
+    /// Finds the edges of a truth.
     pub fn new(truth: &Truth) -> Self {
         let (width, height) = (truth.eye.width as usize, truth.eye.height as usize);
         let mut length_at = vec![0.0; truth.pixels.len()];
         // Squared distances to the nearest pixel with an edge, pixels.
-        let mut seeds = vec![f32::INFINITY; truth.pixels.len()];
+        let mut nearest = vec![f32::INFINITY; truth.pixels.len()];
         for y in 0..height {
             for x in 0..width {
                 let here = y * width + x;
@@ -34,19 +34,19 @@ impl Edges {
                     let there = here + dy * width + dx;
                     if is_edge(truth.pixels[here], truth.pixels[there]) {
                         length_at[here] += side_length(truth, x, y, (dx, dy));
-                        seeds[here] = 0.0;
-                        seeds[there] = 0.0;
+                        nearest[here] = 0.0;
+                        nearest[there] = 0.0;
                     }
                 }
             }
         }
-        let squared = distance_transform(seeds, width, height);
+        let squared = distance_transform(nearest, width, height);
         // A pixel at an edge has its centre half a pixel from it.
         let distance = squared.into_iter().map(|d| d.sqrt() + 0.5).collect();
         Self { length_at, distance }
     }
 
-    /// Of the whole picture, pixels.
+    /// Returns the length of all edges of the picture, in pixels.
     pub fn length(&self) -> f64 {
         self.length_at.iter().map(|length| f64::from(*length)).sum()
     }
@@ -87,25 +87,25 @@ fn side_length(truth: &Truth, x: usize, y: usize, (dx, dy): (usize, usize)) -> f
     1.0 / (normal.x + normal.y)
 }
 
-/// Squared Euclidean distance of every cell to the nearest cell that is 0; other cells are ∞ (Felzenszwalb and
+/// Squared Euclidean distance of every entry to the nearest entry that is 0; other entries are ∞ (Felzenszwalb and
 /// Huttenlocher, *Distance Transforms of Sampled Functions*, 2012).
-fn distance_transform(mut cells: Vec<f32>, width: usize, height: usize) -> Vec<f32> {
+fn distance_transform(mut squares: Vec<f32>, width: usize, height: usize) -> Vec<f32> {
     let mut line = Vec::new();
     for x in 0..width {
         line.clear();
-        line.extend((0..height).map(|y| cells[y * width + x]));
+        line.extend((0..height).map(|y| squares[y * width + x]));
         for (y, value) in lower_envelope(&line).into_iter().enumerate() {
-            cells[y * width + x] = value;
+            squares[y * width + x] = value;
         }
     }
-    for row in cells.chunks_mut(width.max(1)) {
+    for row in squares.chunks_mut(width.max(1)) {
         let transformed = lower_envelope(row);
         row.copy_from_slice(&transformed);
     }
-    cells
+    squares
 }
 
-/// For every place p: the least of (p − q)² + values[q] over all q.
+/// For every place p: the minimum of (p − q)² + values[q] over all q.
 fn lower_envelope(values: &[f32]) -> Vec<f32> {
     // Parabolas of the envelope, and from where on each is the lowest.
     let mut parabolas: Vec<(usize, f64)> = Vec::new();
@@ -194,11 +194,11 @@ mod tests {
         #[test]
         fn distances_are_those_of_a_search(seeds in prop::collection::vec(any::<bool>(), 12 * 9), rare in any::<bool>()) {
             let zero = |(i, seed): (usize, &bool)| if *seed && (!rare || i % 7 == 0) { 0.0 } else { f32::INFINITY };
-            let cells: Vec<f32> = seeds.iter().enumerate().map(zero).collect();
-            let got = distance_transform(cells.clone(), 12, 9);
+            let squares: Vec<f32> = seeds.iter().enumerate().map(zero).collect();
+            let got = distance_transform(squares.clone(), 12, 9);
             for (i, got) in got.into_iter().enumerate() {
                 let to = |j: usize| ((i % 12).abs_diff(j % 12).pow(2) + (i / 12).abs_diff(j / 12).pow(2)) as f32;
-                let nearest = (0..cells.len()).filter(|j| cells[*j] == 0.0).map(to).fold(f32::INFINITY, f32::min);
+                let nearest = (0..squares.len()).filter(|j| squares[*j] == 0.0).map(to).fold(f32::INFINITY, f32::min);
                 prop_assert_eq!(got, nearest);
             }
         }

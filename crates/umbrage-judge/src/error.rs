@@ -1,101 +1,87 @@
 //! How wrong a picture's shadows are.
 //!
-//! All shares are of the pixels that are judged. A pixel is claimed to be shadowed where its visibility is below ½. Names
-//! as in the literature: false shadow is acne's side, false light that of leaks and of shadows that begin too late.
+//! All shares are of the judged pixels, 0 to 1. A result shadows a pixel where its visibility is below one half
+//! ([`Verdict`]). Names are those of the literature: false shadow is acne's side, false light that of leaks and of shadows
+//! that begin too late.
 
 use std::ops::Range;
 
 use crate::causes::{Causes, cause};
 use crate::statistics::rank;
-use crate::{Edges, Pixel, Smooth, Truth, World};
+use crate::{Edges, Pixel, Smooth, Truth, Verdict, World};
 
-/// What a technique says of a picture.
+/// The result of a shadow technique for one light in one picture: what is judged.
 #[derive(Clone, Copy, Debug)]
-pub struct Claim<'a> {
-    /// Visibility of every pixel, 0 to 1.
+pub struct ShadowResult<'a> {
+    /// The visibility of every pixel, 0 to 1, row by row.
     pub visibility: &'a [f32],
-    /// How large a texel is that each pixel's shadow was read from, metres, on a plane there that faces the light; 0 where no
-    /// map serves the pixel.
+    /// The size of the texel that each pixel's shadow was read from, in metres on a plane there that faces the light; 0
+    /// where no map serves the pixel.
     pub texel_metres: &'a [f32],
 }
 
-/// How wrong a claim is.
+/// The error of a result against the truth: how many pixels are wrong, which way, how far, and why.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Error {
-    /// Share of pixels that are shadowed but should not be, or the other way round.
+    /// Share of judged pixels that are wrong in either direction.
     pub mis_shadowed: f64,
-    /// Share of pixels that are shadowed and should be lit.
+    /// Share of judged pixels that are shadowed and should be lit.
     pub false_shadow: f64,
-    /// Share of pixels that are lit and should be shadowed.
+    /// Share of judged pixels that are lit and should be shadowed.
     pub false_light: f64,
-    /// Root of the mean squared error of visibility.
+    /// Root mean square error of visibility.
     pub rmse: f64,
     /// Mean absolute error of visibility.
     pub mae: f64,
-    /// Mean error of visibility; above 0 where shadows are too bright.
+    /// Mean signed error of visibility; above 0 where shadows are too bright.
     pub bias: f64,
-    /// Wrong pixels for each pixel of true edge: how far edges are displaced in the mean, pixels. `None` without edges.
+    /// Mean displacement of edges, in pixels: the wrong pixels for each pixel of true edge. `None` where the truth has no
+    /// edges.
     pub edge_displacement_px: Option<f64>,
-    /// How far the farthest twentieth of wrong pixels begins from the nearest true edge, pixels; 0 where none is wrong.
-    /// `None` without edges.
+    /// The 95th percentile of the distances of wrong pixels from the nearest true edge, in pixels; 0 where none is wrong.
+    /// `None` where the truth has no edges.
     pub hausdorff_95_px: Option<f64>,
-    /// Why; the shares add up to `mis_shadowed`.
+    /// The causes of wrong pixels; their shares add up to `mis_shadowed`.
     pub causes: Causes,
-    /// The same by view depth, one band a decade of metres.
+    /// The same figures by view depth: one band for each power of ten in metres that has judged pixels.
     pub decades: Vec<DepthBand>,
 }
 
-/// What is wrong within a range of view depths. Shares are of the band's own judged pixels.
+/// The errors within a range of view depths. Shares are of the band's own judged pixels, 0 to 1.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DepthBand {
-    /// View depths, metres; half-open.
+    /// The range of view depths in metres; the end is not part of it.
     pub depths: [f64; 2],
-    /// How many pixels of it are judged.
+    /// Number of judged pixels in the band.
     pub pixels: usize,
-    /// As in [`Error`]; 0 without pixels.
+    /// Share of pixels that are wrong in either direction; 0 where no pixel is judged.
     pub mis_shadowed: f64,
-    /// As in [`Error`]; 0 without pixels.
+    /// Share of pixels that are falsely shadowed; 0 where no pixel is judged.
     pub false_shadow: f64,
-    /// As in [`Error`]; 0 without pixels.
+    /// Share of pixels that are falsely lit; 0 where no pixel is judged.
     pub false_light: f64,
-    /// As in [`Error`]; `None` without edges.
+    /// Mean displacement of edges, in pixels, as in [`Error`]; `None` where the band has no edges.
     pub edge_displacement_px: Option<f64>,
-    /// Length of true edges in it, pixels.
+    /// Length of the true edges in the band, in pixels.
     pub edge_px: f64,
 }
 
-/// How a claim about a pixel is wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wrong {
-    FalseShadow,
-    FalseLight,
-}
-
-/// Whether and how a claim about a judged pixel is wrong.
-pub(crate) fn wrong(pixel: Pixel, visibility: f32) -> Option<Wrong> {
-    match (pixel, visibility < 0.5) {
-        (Pixel::Lit, true) => Some(Wrong::FalseShadow),
-        (Pixel::Shadowed, false) => Some(Wrong::FalseLight),
-        _ => None,
-    }
-}
-
 impl Error {
-    /// Compares a claim with the truth. `rmse`, `mae` and `bias` are against `smooth` where it is given, otherwise
-    /// against the hard truth. `None` where no pixel is judged.
+    /// Compares a result with the truth; `None` where no pixel is judged. `rmse`, `mae` and `bias` are against `smooth`
+    /// where it is given, otherwise against the hard truth.
     ///
     /// # Panics
-    /// When the claim has another number of pixels than the truth.
+    /// When the result has another number of pixels than the truth.
     pub fn new(
         world: &World,
         truth: &Truth,
         edges: &Edges,
         smooth: Option<&Smooth>,
-        claim: &Claim<'_>,
+        result: &ShadowResult<'_>,
     ) -> Option<Self> {
-        let Claim { visibility, texel_metres } = claim;
+        let ShadowResult { visibility, texel_metres } = result;
         assert_eq!(visibility.len(), truth.pixels.len(), "one visibility a pixel");
         assert_eq!(texel_metres.len(), truth.pixels.len(), "one texel size a pixel");
         let judged = truth.judged();
@@ -109,13 +95,16 @@ impl Error {
         let mut causes = Causes::default();
         let mut distances = Vec::new();
         for (i, (pixel, visibility)) in truth.pixels.iter().zip(*visibility).enumerate() {
-            let (Some(wrong), Some(receiver)) = (wrong(*pixel, *visibility), truth.receivers[i]) else {
+            let verdict = Verdict::new(Some(*pixel), *visibility);
+            let Some(receiver) = truth.receivers[i].filter(|_| verdict.is_wrong()) else {
                 continue;
             };
-            distances.push(f64::from(edges.distance[i]));
-            let cause =
-                cause(world, truth, &receiver, wrong, *visibility, texel_metres[i], edges.distance[i]);
-            *causes.of_mut(cause) += share(1);
+            let distance = edges.distance[i];
+            distances.push(f64::from(distance));
+            let cause = cause(world, truth, &receiver, verdict, *visibility, texel_metres[i], distance);
+            if let Some(cause) = cause {
+                *causes.of_mut(cause) += share(1);
+            }
         }
         distances.sort_by(f64::total_cmp);
         let has_edges = edges.length() > 0.0;
@@ -134,7 +123,7 @@ impl Error {
     }
 }
 
-/// What is wrong between two view depths.
+/// Says what is wrong between two view depths.
 pub(crate) fn band(truth: &Truth, edges: &Edges, visibility: &[f32], depths: Range<f64>) -> DepthBand {
     let (mut pixels, mut shadow, mut light, mut length) = (0, 0, 0, 0.0);
     for (i, pixel) in truth.pixels.iter().enumerate() {
@@ -144,10 +133,10 @@ pub(crate) fn band(truth: &Truth, edges: &Edges, visibility: &[f32], depths: Ran
         }
         pixels += 1;
         length += f64::from(edges.length_at[i]);
-        match wrong(*pixel, visibility[i]) {
-            Some(Wrong::FalseShadow) => shadow += 1,
-            Some(Wrong::FalseLight) => light += 1,
-            None => {}
+        match Verdict::new(Some(*pixel), visibility[i]) {
+            Verdict::FalseShadow => shadow += 1,
+            Verdict::FalseLight => light += 1,
+            Verdict::NotTraced | Verdict::NotJudged | Verdict::Right => {}
         }
     }
     let share = |count: usize| count as f64 / pixels.max(1) as f64;
@@ -163,9 +152,9 @@ pub(crate) fn band(truth: &Truth, edges: &Edges, visibility: &[f32], depths: Ran
 }
 
 impl DepthBand {
-    /// What is wrong between each two of some rising view depths, metres.
-    pub fn between(truth: &Truth, edges: &Edges, claim: &Claim<'_>, depths: &[f64]) -> Vec<Self> {
-        depths.windows(2).map(|pair| band(truth, edges, claim.visibility, pair[0]..pair[1])).collect()
+    /// Returns a band for each two neighbours of `depths`, which are view depths in metres in rising order.
+    pub fn between(truth: &Truth, edges: &Edges, result: &ShadowResult<'_>, depths: &[f64]) -> Vec<Self> {
+        depths.windows(2).map(|pair| band(truth, edges, result.visibility, pair[0]..pair[1])).collect()
     }
 }
 
@@ -176,7 +165,7 @@ fn decades(truth: &Truth, edges: &Edges, visibility: &[f32]) -> Vec<DepthBand> {
     bands.filter(|band| band.pixels > 0).collect()
 }
 
-/// Claimed minus true visibility of every judged pixel.
+/// The result's visibility less the true one, for every judged pixel.
 pub(crate) fn differences(truth: &Truth, smooth: Option<&Smooth>, visibility: &[f32]) -> Vec<f64> {
     let hard = |pixel: Pixel| if pixel == Pixel::Lit { 1.0 } else { 0.0 };
     let judged = (0..truth.pixels.len()).filter(|i| truth.pixels[*i].is_judged());

@@ -5,16 +5,16 @@ use umbrage_scene::{Camera, Lens};
 
 use crate::Ray;
 
-/// A scene's camera, for a picture of one size.
+/// An eye is a scene's camera together with the size of the picture it takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eye {
-    /// Width of the picture, pixels.
+    /// Width of the picture, in pixels.
     pub width: u32,
-    /// Height of the picture, pixels.
+    /// Height of the picture, in pixels.
     pub height: u32,
-    /// Nearest visible depth, metres.
+    /// View depth of the nearest thing that is visible, in metres.
     pub near: f64,
-    /// Farthest visible depth, metres.
+    /// View depth of the farthest thing that is visible, in metres.
     pub far: f64,
     position: DVec3,
     right: DVec3,
@@ -26,7 +26,7 @@ pub struct Eye {
 }
 
 impl Eye {
-    /// The camera with a picture of `width` × `height` pixels, each at least 1.
+    /// Makes the eye of a camera with a picture of `width` × `height` pixels, each at least 1.
     pub fn new(camera: &Camera, width: u32, height: u32) -> Self {
         let axis = |v: glam::Vec4| v.truncate().as_dvec3().normalize_or_zero();
         let (half_height, is_parallel) = match camera.lens {
@@ -47,8 +47,8 @@ impl Eye {
         }
     }
 
-    /// The ray through a point of the picture, in pixels from its upper left corner: centres are at halves. Distances
-    /// along it are view depths.
+    /// Returns the ray through a point of the picture, given in pixels from its upper left corner: centres of pixels are
+    /// at halves. Distances along the ray are view depths.
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         let across = (2.0 * x - f64::from(self.width)) / f64::from(self.height) * self.half_height;
         let down = (2.0 * y - f64::from(self.height)) / f64::from(self.height) * self.half_height;
@@ -60,13 +60,14 @@ impl Eye {
         }
     }
 
-    /// How large a pixel is on a surface that faces the camera at a view depth, metres.
+    /// Returns the size of a pixel, in metres, on a surface that faces the camera at a view depth in metres.
     pub fn pixel_metres(&self, depth: f64) -> f64 {
         let height = 2.0 * self.half_height / f64::from(self.height);
         if self.is_parallel { height } else { height * depth }
     }
 
-    /// Where a world-space point is seen: x and y in pixels, and its view depth; `None` outside the picture or range.
+    /// Projects a world-space point into the picture: x and y in pixels, and its view depth in metres. `None` outside the
+    /// picture, or nearer than `near` or farther than `far`.
     pub fn project(&self, point: DVec3) -> Option<(f64, f64, f64)> {
         let from_eye = point - self.position;
         let depth = from_eye.dot(self.forward);
@@ -82,9 +83,9 @@ impl Eye {
     }
 }
 
-/// The same camera moved a little, for the `repeat`th repeat of a measurement: by up to a two-thousandth of its far
-/// distance along each of its axes, which is of the order of a texel. Repeat 0 is the camera itself. Moves follow the R3
-/// sequence (Roberts, 2018), so that any number of them is spread evenly.
+/// Returns the same camera moved a little, for the `repeat`th repeat of a measurement: by up to a two-thousandth of its
+/// far distance along each of its axes, which is of the order of a texel. Repeat 0 is the camera itself. Moves follow the
+/// R3 sequence (Roberts, 2018), so that any number of them is spread evenly.
 pub fn jittered(camera: &Camera, repeat: u32) -> Camera {
     /// The reciprocal powers of the real root of x⁴ = x + 1.
     const STEPS: [f64; 3] = [0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_1];

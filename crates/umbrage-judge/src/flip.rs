@@ -1,8 +1,9 @@
 //! How different two pictures look: FLIP (Andersson et al., *FLIP: A Difference Evaluator for Alternating Images*, 2020),
 //! by NVIDIA's own code.
 
-/// The mean FLIP error of two sRGB pictures of `width` × `height` pixels, four bytes each: 0 for the same, 1 at most. Seen
-/// from where a degree is 67 pixels wide, as FLIP's default. `None` where a size is 0 or does not fit the bytes.
+/// Computes the mean FLIP error of two sRGB pictures of `width` × `height` pixels, four bytes each: 0 for equal pictures, 1
+/// at most. The observer is as far away as FLIP's default, where a degree is 67 pixels wide. `None` where a size is 0 or
+/// does not fit the bytes.
 pub fn flip_mean(width: u32, height: u32, reference: &[u8], test: &[u8]) -> Option<f64> {
     let pixels = width as usize * height as usize;
     if pixels == 0 || reference.len() != 4 * pixels || test.len() != 4 * pixels {

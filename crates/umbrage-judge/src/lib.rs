@@ -1,10 +1,10 @@
 //! Exact shadows by tracing rays, and how wrong other shadows are.
 //!
-//! [`World`] is a scene at one time as triangles in a tree. [`Light`] is a sun, a spot or a point. [`Truth`] is what a
+//! [`World`] is a scene at one time as triangles in a BVH. [`Light`] is a sun, a spot or a point. [`Truth`] is what a
 //! camera sees of a world by a light: for every pixel the first surface, and whether the light reaches it. [`Progress`]
-//! is the same bit by bit, with a [`Tally`] of what is wrong so far. [`Error`] compares a claim with the truth: how many
+//! is the same bit by bit, with a [`Tally`] of what is wrong so far. [`Error`] compares a [`ShadowResult`] with the truth: how many
 //! pixels are wrongly shadowed, which way, by how many pixels edges are displaced, and why. [`Deviation`] is how far
-//! visibility is from a truth between lit and shadowed. [`temporal`] judges a claim that changes from frame to frame, and
+//! visibility is from a truth between lit and shadowed. [`temporal`] judges a result that changes from frame to frame, and
 //! [`statistics`] says how sure a figure is.
 //!
 //! Positions are in world space, metres; arithmetic is f64. Visibility is 1 for lit and 0 for shadowed. Pictures are
@@ -38,7 +38,7 @@ mod world;
 pub use causes::Causes;
 pub use deviation::{Compared, Deviation};
 pub use edges::Edges;
-pub use error::{Claim, DepthBand, Error};
+pub use error::{DepthBand, Error, ShadowResult};
 pub use eye::{Eye, jittered};
 #[cfg(not(target_arch = "wasm32"))]
 pub use flip::flip_mean;

@@ -6,40 +6,40 @@ use umbrage_scene::LightKind;
 use crate::Ray;
 use crate::truth::epsilon;
 
-/// What shines, without its colour and strength.
+/// A light as the judge needs it: where its rays come from, without colour and strength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// Parallel rays.
+    /// A sun, whose rays are parallel.
     Sun {
-        /// Unit.
+        /// The unit direction to the light.
         to_light: DVec3,
     },
-    /// A cone.
+    /// A spot light, which shines within a cone.
     Spot {
-        /// Its tip.
+        /// The cone's apex, in metres.
         position: DVec3,
-        /// The way it shines, unit.
+        /// The unit direction in which it shines.
         along: DVec3,
-        /// Cosine of half the angle from which on there is no light; not below 0.
+        /// The cosine of the cone's half angle, at which light ends; 0 to 1.
         cos_outer: f64,
-        /// There is no light from here on, metres; may be infinite.
+        /// The distance at which light ends, in metres; may be infinite.
         range: f64,
     },
-    /// All directions.
+    /// A point light, which shines in all directions.
     Point {
-        /// Where it stands.
+        /// The light's position, in metres.
         position: DVec3,
-        /// There is no light from here on, metres; may be infinite.
+        /// The distance at which light ends, in metres; may be infinite.
         range: f64,
     },
 }
 
-/// Where a light is, from a point that it shines at.
+/// The direction and distance of a light from a point that it shines at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Toward {
-    /// To the light, unit.
+    /// The unit direction to the light.
     pub direction: DVec3,
-    /// To the light, metres; infinite for a sun.
+    /// The distance to the light, in metres; infinite for a sun.
     pub distance: f64,
 }
 
@@ -52,17 +52,17 @@ impl Toward {
 }
 
 impl Light {
-    /// A sun whose light travels along `direction`, of any length but zero.
+    /// Makes a sun whose light travels along `direction`, a vector of any length but zero.
     pub fn sun(direction: Vec3) -> Self {
         Self::Sun { to_light: (-direction.as_dvec3()).normalize_or(DVec3::Y) }
     }
 
-    /// A scene's light, as it stands at time 0.
+    /// Makes the light that a scene describes, as it is at time 0.
     pub fn of(light: &umbrage_scene::Light) -> Self {
         Self::at(light, 0.0)
     }
 
-    /// A scene's light, as it stands `seconds` after the scene's start.
+    /// Makes the light that a scene describes, as it is `seconds` after the scene's start.
     pub fn at(light: &umbrage_scene::Light, seconds: f32) -> Self {
         let world_from_light = light.world_from_light_at(seconds);
         let position = world_from_light.w_axis.truncate().as_dvec3();
@@ -79,8 +79,8 @@ impl Light {
         }
     }
 
-    /// Where the light is from a point, whatever is in the way; `None` where it does not shine: outside its cone, at its
-    /// range or beyond, and at its own position.
+    /// Returns where the light is from a point, whatever is between them; `None` where it does not shine: outside its cone,
+    /// at its range or beyond, and at its own position.
     pub fn toward(&self, point: DVec3) -> Option<Toward> {
         match *self {
             Self::Sun { to_light } => Some(Toward { direction: to_light, distance: f64::INFINITY }),

@@ -2,20 +2,20 @@
 
 use crate::{Causes, DepthBand, Error};
 
-/// What is known of one light's shadows in a picture.
+/// The error of one light's shadows in a picture, with the counts that weigh it among several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// How wrong they are.
+    /// The error of the light's shadows.
     pub error: Error,
-    /// How many pixels were judged.
+    /// Number of judged pixels.
     pub pixels: usize,
-    /// Length of all true edges, pixels.
+    /// Length of all true edges, in pixels.
     pub edge_px: f64,
 }
 
 impl Error {
-    /// The error of several lights' shadows: every judged pixel of every light counts once, every edge for its length. The
-    /// Hausdorff distance is the worst light's. `None` without parts.
+    /// Joins the errors of several lights: every judged pixel of every light counts once, every edge for its length. The
+    /// 95th percentile of distances is the worst light's. `None` without any judged pixel.
     pub fn pooled(parts: &[Part]) -> Option<Self> {
         let pixels = parts.iter().map(|part| part.pixels).sum::<usize>() as f64;
         let mean = |of: &dyn Fn(&Self) -> f64| {
@@ -53,7 +53,7 @@ fn displacement(parts: &[Part]) -> Option<f64> {
 }
 
 impl DepthBand {
-    /// The bands of several lights; bands of the same depths become one.
+    /// Joins the bands of several lights: bands of the same depths become one.
     pub fn pooled<'a>(lights: impl Iterator<Item = &'a [Self]>) -> Vec<Self> {
         let mut pooled: Vec<Self> = Vec::new();
         for band in lights.flatten() {

@@ -15,7 +15,7 @@ mod tile;
 pub use tile::Tile;
 use tile::{Tiles, stand_ins};
 
-/// What is true of a picture, as far as it is traced.
+/// The truth of a picture as far as it is traced.
 #[derive(Clone, Debug)]
 pub struct Progress {
     world: Arc<World>,
@@ -31,7 +31,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Traces nothing yet. Surfaces deeper than `distance` metres are not judged.
+    /// Makes a picture's truth of which nothing is traced yet. Surfaces deeper than `distance` metres are not judged.
     pub fn new(world: Arc<World>, eye: Eye, lights: Vec<Light>, distance: f64) -> Self {
         let count = eye.width as usize * eye.height as usize;
         let tiles = Tiles::new(eye.width, eye.height, lights.len());
@@ -39,8 +39,8 @@ impl Progress {
         Self { world, eye, lights, distance, tiles, hits: Vec::with_capacity(count), pixels }
     }
 
-    /// Traces tile after tile until `enough` says so, which is asked after each; so at least one, unless all is done.
-    /// Returns the tiles. Each is traced on all cores.
+    /// Traces tile after tile, each on all cores, until `enough` returns true; it is asked after each tile, so at least one
+    /// is traced unless all are. Returns the tiles that were traced.
     pub fn advance(&mut self, mut enough: impl FnMut() -> bool) -> Vec<Tile> {
         let mut traced = Vec::new();
         while let Some(tile) = self.tiles.next() {
@@ -69,7 +69,7 @@ impl Progress {
         self.hits.extend(receivers.into_iter().map(|receiver| receiver.map(hit)));
     }
 
-    /// Share of the picture's pixels that are traced, 0 to 1.
+    /// Returns the share of the picture's pixels that are traced, 0 to 1.
     pub fn traced(&self) -> f64 {
         if self.is_done() { 1.0 } else { self.hits.len() as f64 / self.count() as f64 }
     }
@@ -79,7 +79,7 @@ impl Progress {
         self.hits.len() == self.count()
     }
 
-    /// What is true of each pixel by one of the lights; `None` where it is not traced yet.
+    /// Returns what is true of each pixel by one of the lights; `None` where it is not traced yet.
     ///
     /// # Panics
     /// When there is no such light.
@@ -87,31 +87,25 @@ impl Progress {
         &self.pixels[light]
     }
 
-    /// The traced pixel that stands for a pixel: itself, or the nearest upper left one of a pass before. `None` where
-    /// there is none yet.
+    /// Returns the traced pixel that stands for a pixel: itself, or the nearest upper left one of a pass before. `None`
+    /// where there is none yet.
     pub fn stand_in(&self, pixel: usize) -> Option<usize> {
         let (x, y) = ((pixel % self.eye.width as usize) as u32, (pixel / self.eye.width as usize) as u32);
         let is_traced = |i: &usize| self.pixels.first().is_some_and(|pixels| pixels[*i].is_some());
         stand_ins(x, y).map(|(x, y)| index(&self.eye, x, y)).find(is_traced)
     }
 
-    /// What claims about a pixel are, given each light's visibility of every pixel: of its lights, the first that is
-    /// wrong.
+    /// Compares a result with the truth at a pixel, given each light's visibility of every pixel. Several lights are
+    /// joined by [`Verdict::of_lights`].
     ///
     /// # Panics
     /// When there is no such pixel, or a visibility is missing.
     pub fn verdict(&self, visibility: &[&[f32]], pixel: usize) -> Verdict {
         let of_light = |i: usize| Verdict::new(self.pixels[i][pixel], visibility[i][pixel]);
-        let all = || (0..self.lights.len()).map(of_light);
-        let is_right = |verdict: &Verdict| *verdict == Verdict::Right;
-        all()
-            .find(|verdict| verdict.is_wrong())
-            .or_else(|| all().find(is_right))
-            .or_else(|| all().next())
-            .unwrap_or(Verdict::NotJudged)
+        Verdict::of_lights((0..self.lights.len()).map(of_light))
     }
 
-    /// How often claims are wrong so far, all lights together, given each light's visibility of every pixel.
+    /// Counts how often a result is wrong so far, all lights together, given each light's visibility of every pixel.
     ///
     /// All traced pixels count the same. While a pass is under way there are more of them in the picture's middle, and
     /// shares lean to what it shows; after each pass they are spread evenly.
@@ -122,7 +116,8 @@ impl Progress {
         self.tally_at(0..self.count(), visibility)
     }
 
-    /// The same of the pixels that were traced with a tile alone: the tallies of all tiles add up to that of the picture.
+    /// Counts as [`Self::tally`], but only the pixels that were traced with one tile: the tallies of all tiles add up to
+    /// that of the picture.
     ///
     /// # Panics
     /// When there is not one visibility for each light and pixel, or the tile is none of this picture's.
@@ -140,8 +135,8 @@ impl Progress {
         tally
     }
 
-    /// When all is traced, bit for bit what [`Truth::new`] gives for each light; `None` before. Puts the whole picture
-    /// together, which is work for more than a frame.
+    /// Returns what [`Truth::new`] gives for each light, bit for bit, once all is traced; `None` before. It puts the whole
+    /// picture together, which takes longer than a frame.
     pub fn truths(&self) -> Option<Vec<Truth>> {
         if !self.is_done() {
             return None;
@@ -159,7 +154,7 @@ impl Progress {
         self.lights.iter().zip(&self.pixels).map(of_light).collect()
     }
 
-    /// Which number a pixel has, by its place from the upper left corner: row by row.
+    /// Returns the index of the pixel in column `x` and row `y`, both counted from the upper left corner.
     pub fn index(&self, x: u32, y: u32) -> usize {
         index(&self.eye, x, y)
     }

@@ -8,17 +8,17 @@ use rayon::prelude::*;
 use crate::truth::{Receiver, can_be_lit, is_shadowed, receiver};
 use crate::{Light, Toward, Truth, World};
 
-/// Visibility from 0 to 1 for every pixel; 1 where nothing is judged.
+/// A truth between lit and shadowed: the visibility of every pixel, from 0 to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Smooth {
-    /// One a pixel.
+    /// The visibility of every pixel, 0 to 1; 1 where nothing is judged.
     pub visibility: Vec<f32>,
-    /// The standard error of each; zeros where every sample counts the same and there is none.
+    /// The standard error of each visibility; 0 where the samples are a fixed grid, which has none.
     pub standard_error: Vec<f32>,
 }
 
-/// The share of each judged pixel's area that the light reaches: the mean over `side` × `side` points of it. Points on
-/// the sky, on surfaces that are turned away from the light, or where the light does not shine do not count.
+/// Traces the share of each judged pixel's area that the light reaches: the mean over `side` × `side` points of it. Points
+/// on the sky, on surfaces that are turned away from the light, or where the light does not shine do not count.
 pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
     let Truth { eye, light, .. } = truth;
     let width = eye.width as usize;
@@ -37,12 +37,12 @@ pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
     split(visibility)
 }
 
-/// How much of the light's disc reaches each judged pixel: the mean over `samples` points of the disc, rounded up to a
-/// multiple of 8. The points are the same for every pixel: the Sobol sequence, eight times, each time shifted otherwise,
+/// Traces how much of the light's disc reaches each judged pixel: the mean over `samples` points of the disc, rounded up
+/// to a multiple of 8. The points are the same for every pixel: the Sobol sequence, eight times, each time shifted otherwise,
 /// so that the spread of the eight means gives the standard error.
 ///
-/// `radius` is that of the light: for a sun half the angle that it is seen under, radians (0.00463 for ours); for spot and
-/// point lights metres, of a disc that faces each receiver.
+/// `radius` is that of the light: for a sun half the angle that it is seen under, in radians (0.00463 for ours); for spot
+/// and point lights the radius in metres of a disc that faces each receiver.
 pub fn soft(world: &World, truth: &Truth, radius: f64, samples: u32) -> Smooth {
     let sets = disc_points(samples.div_ceil(SETS));
     let places = |toward: Toward| -> Vec<Vec<Light>> {

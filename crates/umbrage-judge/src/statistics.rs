@@ -1,25 +1,25 @@
 //! How sure a figure is: means with intervals, medians with spread. Every raw sample is kept.
 
-/// A figure that was measured several times.
+/// A figure that was measured several times, with the interval that its true mean lies in.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 pub struct Interval {
-    /// Every sample, in the order it was taken.
+    /// All samples, in the order they were taken.
     pub samples: Vec<f64>,
 }
 
 impl Interval {
-    /// Of samples that are independent of each other.
+    /// Makes the interval of samples that are independent of each other.
     pub fn of(samples: Vec<f64>) -> Self {
         Self { samples }
     }
 
-    /// The mean; NaN of nothing.
+    /// Returns the mean of the samples; NaN where there are none.
     pub fn mean(&self) -> f64 {
         self.samples.iter().sum::<f64>() / self.samples.len() as f64
     }
 
-    /// The standard error of the mean; 0 of fewer than two samples.
+    /// Returns the standard error of the mean; 0 for fewer than two samples.
     pub fn standard_error(&self) -> f64 {
         let count = self.samples.len() as f64;
         if self.samples.len() < 2 {
@@ -30,7 +30,7 @@ impl Interval {
         (squares / (count - 1.0) / count).sqrt()
     }
 
-    /// How far the true mean may lie from [`Self::mean`] with 95 % confidence, each way; 0 of fewer than two samples.
+    /// Returns half the width of the 95 % confidence interval around [`Self::mean`]; 0 for fewer than two samples.
     pub fn half_width(&self) -> f64 {
         if self.samples.len() < 2 {
             0.0
@@ -39,7 +39,7 @@ impl Interval {
         }
     }
 
-    /// Whether two figures differ for sure: their intervals do not touch. Never for a figure measured once.
+    /// Whether two figures differ for sure: their intervals do not touch. It is false for a figure that was measured once.
     pub fn is_apart_from(&self, other: &Self) -> bool {
         let repeated = self.samples.len() > 1 && other.samples.len() > 1;
         repeated && (self.mean() - other.mean()).abs() > self.half_width() + other.half_width()
@@ -62,20 +62,20 @@ fn student_t_95(degrees: usize) -> f64 {
     X + first / n + second / n.powi(2) + third / n.powi(3)
 }
 
-/// The middle of some numbers, and where all but the outer twentieths of them lie.
+/// The median of some numbers, with their 5th and 95th percentile.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spread {
-    /// Half of them are at most this.
+    /// The value that half of the numbers do not exceed.
     pub median: f64,
-    /// A twentieth of them are at most this.
+    /// The value that a twentieth of the numbers do not exceed.
     pub p5: f64,
-    /// All but a twentieth of them are at most this.
+    /// The value that all but a twentieth of the numbers do not exceed.
     pub p95: f64,
 }
 
 impl Spread {
-    /// By nearest rank; zeros of nothing.
+    /// Computes the spread of some numbers by nearest rank; all are 0 where there are no numbers.
     pub fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         Self { median: rank(&values, 0.5), p5: rank(&values, 0.05), p95: rank(&values, 0.95) }

@@ -2,59 +2,61 @@
 //!
 //! The same points of the world are asked for in every frame of a path; they are chosen once, on surfaces that stand
 //! still ([`anchors`]). Where the light and the casters stand still too, the truth never changes, and
-//! every change of the claim is wrong.
+//! every change of the result is wrong.
 
 use glam::DVec3;
 
 use crate::truth::{can_be_lit, is_shadowed, receiver};
+use crate::verdict::is_shadow;
 use crate::{Eye, Light, World};
 
-/// A point on a surface.
+/// An anchor is a fixed point on a surface, which is watched from frame to frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchor {
-    /// In world space.
+    /// The point in world space, in metres.
     pub position: DVec3,
-    /// Unit, geometric, turned to the eye that chose it.
+    /// The unit geometric normal, turned to the eye that chose the point.
     pub normal: DVec3,
 }
 
-/// What a technique says of a point in one frame.
+/// The result of a shadow technique for one anchor in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
-    /// Visibility, 0 to 1. NaN where the point is out of the camera's sight: changes from and to that do not count.
+pub struct AnchorResult {
+    /// The visibility, 0 to 1. NaN where the point is out of the camera's sight: changes from and to that do not count.
     pub visibility: f32,
-    /// Which of the technique's maps the answer is from; any number, as long as it is the same for the same map.
+    /// The map that the visibility was read from: any number, as long as it is the same for the same map.
     pub map: usize,
 }
 
-/// How unsteady a claim is.
+/// How unsteady a result is along a path.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Flicker {
-    /// Points of the world that were looked at.
+    /// Number of points that were watched.
     pub points: usize,
-    /// Frames that they were looked at in.
+    /// Number of frames of the path.
     pub frames: usize,
-    /// How often a point was in sight, and the light shone at it, in two frames in a row; all rates are of these.
+    /// Number of times that a point was in sight, and the light shone at it, in two frames in a row; all rates are of
+    /// these.
     pub pairs: usize,
-    /// Changes between lit and shadowed that the truth does not make, all points and frames together.
+    /// Number of changes between lit and shadowed that the truth does not make, of all points and frames together.
     pub flips: usize,
-    /// Those of them where the point came to be served by another map.
+    /// Number of those flips at which another map came to serve the point.
     pub flips_between_maps: usize,
-    /// The same as a share of the points, for one frame.
+    /// The flips as a share of `pairs`, 0 to 1.
     pub flip_rate: f64,
-    /// The same without those where the point came to be served by another map: exactly 0 for a stable map.
+    /// The flips within one map as a share of `pairs`, 0 to 1: exactly 0 for a stable map.
     pub flip_rate_within_maps: f64,
-    /// Mean of |V₍t+1₎ − 2 V₍t₎ + V₍t−1₎| of the error of visibility: how much it trembles.
+    /// The mean of |V₍t+1₎ − 2 V₍t₎ + V₍t−1₎| of the error of visibility: how much it trembles.
     pub shimmer: f64,
     /// The largest mean change of the error of visibility between two frames.
     pub pop: f64,
-    /// The frame that made it; 0 where there is none.
+    /// The frame with that change; 0 where nothing changes.
     pub pop_frame: usize,
 }
 
-/// Up to `count` points of the world, evenly spread over the pictures of some eyes, on surfaces that the
-/// light shines at and that face it, and that `keep` wants (by the index of their triangle).
+/// Chooses up to `count` points of the world, evenly spread over the pictures of some eyes, on surfaces that the light shines
+/// at and that face it. `keep` says, by the index of a triangle, which surfaces are wanted.
 pub fn anchors(
     world: &World,
     eyes: &[Eye],
@@ -74,7 +76,7 @@ pub fn anchors(
     wanted.map(|receiver| Anchor { position: receiver.position, normal: receiver.normal }).collect()
 }
 
-/// The true visibility of points at one time; NaN where the light does not shine.
+/// Traces the true visibility of anchors at one time, each 0 or 1; NaN where the light does not shine.
 pub fn visibility(world: &World, light: &Light, anchors: &[Anchor]) -> Vec<f32> {
     use rayon::prelude::*;
     let visibility = |anchor: &Anchor| {
@@ -89,27 +91,27 @@ pub fn visibility(world: &World, light: &Light, anchors: &[Anchor]) -> Vec<f32> 
 }
 
 impl Flicker {
-    /// Compares a claim with the true visibility, both of the same points (inner lists) and frames (outer lists). Changes
+    /// Compares a result with the true visibility, both of the same points (inner lists) and frames (outer lists). Changes
     /// from and to NaN do not count.
-    pub fn new(claim: &[Vec<Seen>], truth: &[Vec<f32>]) -> Self {
-        let error: Vec<Vec<f32>> = claim
+    pub fn new(result: &[Vec<AnchorResult>], truth: &[Vec<f32>]) -> Self {
+        let error: Vec<Vec<f32>> = result
             .iter()
             .zip(truth)
-            .map(|(claim, truth)| claim.iter().zip(truth).map(|(c, t)| c.visibility - t).collect())
+            .map(|(result, truth)| result.iter().zip(truth).map(|(r, t)| r.visibility - t).collect())
             .collect();
-        let (mut flips, mut flips_between_maps, mut pairs, mut pop, mut pop_frame) = (0, 0, 0, 0.0, 0);
-        for (t, (claimed, true_)) in claim.windows(2).zip(truth.windows(2)).enumerate() {
+        let (mut flip_count, mut flips_between_maps, mut pairs, mut pop, mut pop_frame) = (0, 0, 0, 0.0, 0);
+        for (t, (drawn, true_)) in result.windows(2).zip(truth.windows(2)).enumerate() {
             let (mut change, mut seen) = (0.0, 0usize);
-            for k in 0..claimed[0].len() {
-                let (before, after) = (claimed[0][k], claimed[1][k]);
+            for k in 0..drawn[0].len() {
+                let (before, after) = (drawn[0][k], drawn[1][k]);
                 let change_of_error = error[t + 1][k] - error[t][k];
                 if change_of_error.is_nan() {
                     continue;
                 }
                 seen += 1;
-                let flips_claimed = (before.visibility < 0.5) != (after.visibility < 0.5);
-                if flips_claimed && (true_[0][k] < 0.5) == (true_[1][k] < 0.5) {
-                    flips += 1;
+                let flips = |before: f32, after: f32| is_shadow(before) != is_shadow(after);
+                if flips(before.visibility, after.visibility) && !flips(true_[0][k], true_[1][k]) {
+                    flip_count += 1;
                     flips_between_maps += usize::from(before.map != after.map);
                 }
                 change += f64::from(change_of_error.abs());
@@ -125,13 +127,13 @@ impl Flicker {
             .filter(|bend| !bend.is_nan())
             .fold((0.0, 0usize), |(sum, n), bend| (sum + f64::from(bend), n + 1));
         Self {
-            points: claim.first().map_or(0, Vec::len),
-            frames: claim.len(),
+            points: result.first().map_or(0, Vec::len),
+            frames: result.len(),
             pairs,
-            flips,
+            flips: flip_count,
             flips_between_maps,
-            flip_rate: flips as f64 / pairs.max(1) as f64,
-            flip_rate_within_maps: (flips - flips_between_maps) as f64 / pairs.max(1) as f64,
+            flip_rate: flip_count as f64 / pairs.max(1) as f64,
+            flip_rate_within_maps: (flip_count - flips_between_maps) as f64 / pairs.max(1) as f64,
             shimmer: sum / bends.max(1) as f64,
             pop,
             pop_frame,
@@ -144,42 +146,43 @@ mod tests {
     use super::*;
 
     /// All from the same map.
-    fn claim(frames: &[&[f32]]) -> Vec<Vec<Seen>> {
-        let seen = |frame: &&[f32]| frame.iter().map(|&visibility| Seen { visibility, map: 0 }).collect();
-        frames.iter().map(seen).collect()
+    fn result(frames: &[&[f32]]) -> Vec<Vec<AnchorResult>> {
+        let of =
+            |frame: &&[f32]| frame.iter().map(|&visibility| AnchorResult { visibility, map: 0 }).collect();
+        frames.iter().map(of).collect()
     }
 
     #[test]
     fn flips_that_the_truth_makes_too_do_not_count() {
-        let mut claim = claim(&[&[1.0, 1.0, 0.0], &[0.0, 0.0, 0.0], &[0.0, 1.0, 0.0]]);
+        let mut result = result(&[&[1.0, 1.0, 0.0], &[0.0, 0.0, 0.0], &[0.0, 1.0, 0.0]]);
         let truth = [vec![1.0, 1.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 1.0, 0.0]];
-        let flicker = Flicker::new(&claim, &truth);
+        let flicker = Flicker::new(&result, &truth);
         assert_eq!((flicker.points, flicker.frames, flicker.flips, flicker.flips_between_maps), (3, 3, 2, 0));
         assert_eq!(flicker.flip_rate, 2.0 / 6.0);
         assert!((flicker.shimmer - 2.0 / 3.0).abs() < 1e-9, "the second point goes up and down: {flicker:?}");
         assert!((flicker.pop - 1.0 / 3.0).abs() < 1e-9 && flicker.pop_frame == 1, "{flicker:?}");
-        claim[2][1].map = 1;
-        let flicker = Flicker::new(&claim, &truth);
+        result[2][1].map = 1;
+        let flicker = Flicker::new(&result, &truth);
         assert_eq!((flicker.flips, flicker.flips_between_maps), (2, 1), "the second flip is to another map");
     }
 
     #[test]
-    fn a_steady_claim_does_not_flicker_however_wrong_it_is() {
-        let flicker = Flicker::new(&claim(&[&[0.3; 9][..]; 5]), &vec![vec![1.0; 9]; 5]);
+    fn a_steady_result_does_not_flicker_however_wrong_it_is() {
+        let flicker = Flicker::new(&result(&[&[0.3; 9][..]; 5]), &vec![vec![1.0; 9]; 5]);
         assert_eq!((flicker.flips, flicker.shimmer, flicker.pop), (0, 0.0, 0.0));
         assert_eq!(Flicker::new(&[], &[]), Flicker::default());
     }
 
     #[test]
     fn points_out_of_sight_do_not_count() {
-        let flicker = Flicker::new(&claim(&[&[1.0], &[f32::NAN], &[0.0]]), &vec![vec![1.0]; 3]);
+        let flicker = Flicker::new(&result(&[&[1.0], &[f32::NAN], &[0.0]]), &vec![vec![1.0]; 3]);
         assert_eq!((flicker.flips, flicker.flip_rate, flicker.shimmer), (0, 0.0, 0.0));
     }
 
     #[test]
     fn points_that_the_light_does_not_shine_at_do_not_count() {
         let truth = [vec![1.0, 1.0], vec![f32::NAN, 1.0], vec![1.0, 1.0]];
-        let flicker = Flicker::new(&claim(&[&[1.0, 1.0], &[0.0, 1.0], &[1.0, 1.0]]), &truth);
+        let flicker = Flicker::new(&result(&[&[1.0, 1.0], &[0.0, 1.0], &[1.0, 1.0]]), &truth);
         assert_eq!((flicker.pairs, flicker.flips, flicker.shimmer, flicker.pop), (2, 0, 0.0, 0.0));
     }
 

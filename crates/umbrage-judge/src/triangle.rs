@@ -5,12 +5,12 @@
 
 use glam::{DVec3, Vec3};
 
-/// A half-line, prepared for triangle tests.
+/// A ray is a half-line, prepared for triangle tests.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it begins, in world space.
+    /// The point in world space where the ray begins, in metres.
     pub origin: DVec3,
-    /// Where it goes; distances along it are multiples of this vector, which need not be unit.
+    /// The direction of the ray. Distances along it are multiples of this vector, which need not be unit.
     pub direction: DVec3,
     /// The axes in the order x, y, z of the ray's own space, in which it runs along z.
     axes: [usize; 3],
@@ -18,7 +18,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// `direction` must not be zero.
+    /// Prepares a ray; `direction` must not be zero.
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
         let size = direction.abs();
         let z = if size.x >= size.y && size.x >= size.z {
@@ -35,12 +35,13 @@ impl Ray {
         Self { origin, direction, axes: [x, y, z], shear }
     }
 
-    /// The point at a distance along it.
+    /// Returns the point at a distance along the ray, in multiples of its direction.
     pub fn at(&self, distance: f64) -> DVec3 {
         self.origin + self.direction * distance
     }
 
-    /// How far along the ray the triangle is hit, from either side; `None` where it is missed or lies behind.
+    /// Returns the distance along the ray at which it hits the triangle, from either side; `None` where it misses, or the
+    /// triangle lies behind its origin.
     pub fn hit(&self, triangle: &[Vec3; 3]) -> Option<f64> {
         let [x, y, z] = self.axes;
         let [a, b, c] = triangle.map(|corner| {

@@ -10,58 +10,58 @@ use rayon::prelude::*;
 
 use crate::{Eye, Hit, Light, Ray, World};
 
-/// Surfaces whose cosine to the light is at most this are unlit by shading.
-const LEAST_COSINE: f64 = 0.02;
+/// The minimum cosine between a surface's normal and the light: at this or less, shading leaves the surface unlit.
+const MIN_COSINE: f64 = 0.02;
 
-/// The first surface that a pixel's ray meets.
+/// A receiver is the first surface that a pixel's ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Receiver {
-    /// In world space.
+    /// The point in world space, in metres.
     pub position: DVec3,
-    /// Unit, geometric, turned to the eye.
+    /// The unit geometric normal, turned to the eye.
     pub normal: DVec3,
-    /// View depth, metres.
+    /// The view depth, in metres.
     pub depth: f64,
-    /// Index into [`World::triangles`].
+    /// The index of the surface's triangle in [`World::triangles`].
     pub triangle: usize,
 }
 
-/// What the truth says of a pixel.
+/// The truth of a pixel: whether it is judged, and whether the light reaches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pixel {
-    /// Nothing is there.
+    /// The pixel shows no surface.
     Sky,
-    /// The light does not shine here: it is outside its cone, or beyond its range.
+    /// The light does not shine at the surface, which is outside its cone or beyond its range.
     Unreached,
-    /// Its surface does not face the light.
+    /// The surface does not face the light.
     TurnedAway,
-    /// Its surface is farther away than shadows are asked for.
+    /// The surface is farther away than shadows are asked for.
     Beyond,
-    /// Whether the light reaches it depends on rounding.
+    /// It depends on rounding whether the light reaches the surface.
     Ambiguous,
-    /// The light reaches it.
+    /// The light reaches the surface.
     Lit,
-    /// Something is in the way.
+    /// Something blocks the light.
     Shadowed,
 }
 
 impl Pixel {
-    /// Whether claims about it are judged.
+    /// Whether results are judged at this pixel: it is lit or shadowed for sure.
     pub fn is_judged(self) -> bool {
         matches!(self, Self::Lit | Self::Shadowed)
     }
 }
 
-/// What a camera sees of a world, and what of it the light reaches.
+/// The truth of a picture by one light: what the camera sees, and what of it the light reaches.
 #[derive(Clone, Debug)]
 pub struct Truth {
-    /// From where.
+    /// The camera and the size of the picture.
     pub eye: Eye,
-    /// By what light.
+    /// The light.
     pub light: Light,
-    /// The surface of each pixel.
+    /// The first surface of each pixel, row by row; `None` for sky.
     pub receivers: Vec<Option<Receiver>>,
-    /// What is true of it.
+    /// The truth of each pixel, row by row.
     pub pixels: Vec<Pixel>,
 }
 
@@ -80,12 +80,12 @@ impl Truth {
         Self { eye: *eye, light: *light, receivers, pixels }
     }
 
-    /// How many pixels are so.
+    /// Returns the number of pixels with that truth.
     pub fn count(&self, wanted: Pixel) -> usize {
         self.pixels.iter().filter(|pixel| **pixel == wanted).count()
     }
 
-    /// How many pixels are judged.
+    /// Returns the number of judged pixels.
     pub fn judged(&self) -> usize {
         self.pixels.iter().filter(|pixel| pixel.is_judged()).count()
     }
@@ -111,7 +111,7 @@ pub(crate) fn surface(world: &World, ray: &Ray, Hit { distance, triangle }: Hit)
 
 /// Whether a receiver's surface faces a light.
 fn faces(receiver: &Receiver, to_light: DVec3) -> bool {
-    receiver.normal.dot(to_light) > LEAST_COSINE
+    receiver.normal.dot(to_light) > MIN_COSINE
 }
 
 /// Whether a light shines at a receiver, and the receiver's surface faces it.

@@ -1,56 +1,73 @@
-//! Whether a claim about a pixel is right, as far as its truth is known, and how often claims are wrong so far.
+//! Whether a result is right about a pixel, as far as the pixel's truth is known, and how often it is wrong so far.
 
 use crate::Pixel;
-use crate::error::{Wrong, wrong};
 
-/// What a claim about a pixel is, against the truth.
+/// Whether a visibility, 0 to 1, stands for shadow: where it is below one half. NaN stands for light.
+pub(crate) fn is_shadow(visibility: f32) -> bool {
+    visibility < 0.5
+}
+
+/// A verdict says how a result compares with the truth at one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// The truth is not traced yet.
+    /// The truth of the pixel is not traced yet.
     NotTraced,
-    /// The pixel is left out: sky, a surface turned away, or a truth that depends on rounding.
+    /// The pixel is left out: it shows sky or a surface turned away, or its truth depends on rounding.
     NotJudged,
-    /// As it should be.
+    /// The result agrees with the truth.
     Right,
-    /// Shadowed, and should be lit.
+    /// The result shadows the pixel, and the truth lights it.
     FalseShadow,
-    /// Lit, and should be shadowed.
+    /// The result lights the pixel, and the truth shadows it.
     FalseLight,
 }
 
 impl Verdict {
-    /// Of a claimed visibility, 0 to 1, against the truth where that is traced.
+    /// Compares a result's visibility, 0 to 1, with the truth, which is `None` where it is not traced. A visibility below
+    /// one half is a shadow.
     pub fn new(truth: Option<Pixel>, visibility: f32) -> Self {
-        match truth {
-            None => Self::NotTraced,
-            Some(pixel) if !pixel.is_judged() => Self::NotJudged,
-            Some(pixel) => match wrong(pixel, visibility) {
-                None => Self::Right,
-                Some(Wrong::FalseShadow) => Self::FalseShadow,
-                Some(Wrong::FalseLight) => Self::FalseLight,
-            },
+        match (truth, is_shadow(visibility)) {
+            (None, _) => Self::NotTraced,
+            (Some(Pixel::Lit), true) => Self::FalseShadow,
+            (Some(Pixel::Shadowed), false) => Self::FalseLight,
+            (Some(Pixel::Lit), false) | (Some(Pixel::Shadowed), true) => Self::Right,
+            (
+                Some(Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous),
+                _,
+            ) => Self::NotJudged,
         }
     }
 
-    /// Whether it is one of the two kinds of wrong.
+    /// Joins the verdicts of several lights on one pixel: the first that is wrong counts, or else [`Self::Right`] where
+    /// any light is right, or else the first. Without any light the pixel is not judged.
+    pub fn of_lights(lights: impl Iterator<Item = Self> + Clone) -> Self {
+        lights
+            .clone()
+            .find(|verdict| verdict.is_wrong())
+            .or_else(|| lights.clone().find(|verdict| *verdict == Self::Right))
+            .or_else(|| lights.clone().next())
+            .unwrap_or(Self::NotJudged)
+    }
+
+    /// Whether the result is wrong, in either direction.
     pub fn is_wrong(self) -> bool {
         matches!(self, Self::FalseShadow | Self::FalseLight)
     }
 }
 
-/// How often claims are wrong, of the pixels that are traced and judged so far.
+/// A tally counts verdicts of the pixels that are traced and judged so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// How many are judged.
+    /// Number of judged pixels.
     pub judged: usize,
-    /// How many are shadowed and should be lit.
+    /// Number of pixels that the result shadows and the truth lights.
     pub false_shadow: usize,
-    /// How many are lit and should be shadowed.
+    /// Number of pixels that the result lights and the truth shadows.
     pub false_light: usize,
 }
 
 impl Tally {
-    /// Adds a claim.
+    /// Counts one more verdict. Pixels that are not traced or not judged are left out.
     pub fn count(&mut self, verdict: Verdict) {
         match verdict {
             Verdict::NotTraced | Verdict::NotJudged => return,
@@ -61,17 +78,17 @@ impl Tally {
         self.judged += 1;
     }
 
-    /// Share of judged pixels that are wrong, either way; 0 without any.
+    /// Returns the share of judged pixels that are wrong in either direction, 0 to 1; 0 where none is judged.
     pub fn mis_shadowed(&self) -> f64 {
         self.share(self.false_shadow + self.false_light)
     }
 
-    /// Share of judged pixels that are shadowed and should be lit; 0 without any.
+    /// Returns the share of judged pixels that are falsely shadowed, 0 to 1; 0 where none is judged.
     pub fn false_shadow_share(&self) -> f64 {
         self.share(self.false_shadow)
     }
 
-    /// Share of judged pixels that are lit and should be shadowed; 0 without any.
+    /// Returns the share of judged pixels that are falsely lit, 0 to 1; 0 where none is judged.
     pub fn false_light_share(&self) -> f64 {
         self.share(self.false_light)
     }
@@ -94,7 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn half_visible_is_a_claim_of_light_and_the_least_less_one_of_shadow() {
+    fn half_visible_stands_for_light_and_the_least_less_for_shadow() {
         let less = 0.5f32.next_down();
         let cases = [
             (None, 0.0, Verdict::NotTraced),
@@ -114,5 +131,18 @@ mod tests {
         let shares = [tally.mis_shadowed(), tally.false_shadow_share(), tally.false_light_share()];
         assert_eq!(shares, [0.5, 0.25, 0.25]);
         assert_eq!(Tally::default().mis_shadowed(), 0.0, "nothing is judged yet");
+    }
+
+    #[test]
+    fn of_several_lights_the_first_wrong_one_counts_and_else_one_that_is_right() {
+        use Verdict::{FalseLight, FalseShadow, NotJudged, NotTraced, Right};
+        for (lights, joined) in [
+            (&[NotJudged, Right, FalseLight, FalseShadow][..], FalseLight),
+            (&[NotJudged, Right], Right),
+            (&[NotTraced, NotJudged], NotTraced),
+            (&[], NotJudged),
+        ] {
+            assert_eq!(Verdict::of_lights(lights.iter().copied()), joined, "{lights:?}");
+        }
     }
 }

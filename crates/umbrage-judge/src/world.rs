@@ -12,12 +12,12 @@ use umbrage_scene::Scene;
 
 use crate::Ray;
 
-/// All triangles of a scene, in world space, and a tree over them.
+/// A world is all triangles of a scene at one time, in world space, with a BVH (bounding volume hierarchy) over them.
 pub struct World {
-    /// In the order of the tree's leaves.
+    /// The triangles in the order of the BVH's leaves.
     pub(crate) triangles: Triangles,
     /// `None` where there are no triangles.
-    pub(crate) tree: Option<Bvh2>,
+    pub(crate) bvh: Option<Bvh2>,
 }
 
 impl std::fmt::Debug for World {
@@ -26,18 +26,18 @@ impl std::fmt::Debug for World {
     }
 }
 
-/// Where a ray meets a triangle.
+/// A hit is where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// In multiples of the ray's direction.
+    /// The distance along the ray, in multiples of its direction.
     pub distance: f64,
-    /// Index into [`World::triangles`].
+    /// The index of the triangle in [`World::triangles`].
     pub triangle: usize,
 }
 
-/// How much larger than its triangle a leaf of the tree is, as a share of the world's largest coordinate. The tree walks
-/// in f32: it must not miss what the f64 test would hit, of rays that begin not much farther out than the world itself.
-/// It looks as much farther than it is asked to, as a share of the distance.
+/// How much larger than its triangle a leaf of the BVH is, as a share of the world's largest coordinate. The BVH is
+/// traversed in f32: it must not miss what the f64 test would hit, of rays that begin not much farther out than the world
+/// itself. Traversal goes as much farther than it is asked to, as a share of the distance.
 const MARGIN: f32 = 4.0 * f32::EPSILON;
 
 /// A leaf: a triangle's box, and the margin.
@@ -53,17 +53,17 @@ impl obvhs::Boundable for Leaf<'_> {
     }
 }
 
-/// Triangles of a world in any order, before a tree is built over them.
+/// The triangles of a world in any order, before a BVH is built over them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
-    /// Their corners, in world space.
+    /// The corners of each triangle, in world space.
     pub(crate) corners: Vec<[Vec3; 3]>,
-    /// Of each: whether it never moves.
+    /// Whether each triangle never moves.
     pub(crate) still: Vec<bool>,
 }
 
 impl Triangles {
-    /// Every triangle of a scene at `seconds` after its start.
+    /// Collects every triangle of a scene at `seconds` after its start.
     pub fn of(scene: &Scene, seconds: f32) -> Self {
         let (mut corners, mut still) = (Vec::with_capacity(scene.triangles()), Vec::new());
         for instance in &scene.instances {
@@ -78,33 +78,33 @@ impl Triangles {
 }
 
 impl World {
-    /// A scene at `seconds` after its start, every triangle of it; with the tree built, on all cores.
+    /// Makes the world of a scene at `seconds` after its start, with the BVH built on all cores.
     pub fn new(scene: &Scene, seconds: f32) -> Self {
-        Self::sorted(Triangles::of(scene, seconds))
+        Self::build(Triangles::of(scene, seconds))
     }
 
-    /// Triangles in world space that never move.
+    /// Makes a world of triangles in world space that never move.
     pub fn of_triangles(triangles: Vec<[Vec3; 3]>) -> Self {
         let still = vec![true; triangles.len()];
-        Self::sorted(Triangles { corners: triangles, still })
+        Self::build(Triangles { corners: triangles, still })
     }
 
-    /// Triangles with the tree built over them, on all cores. Those with coordinates that are not finite are left out.
-    pub fn sorted(Triangles { corners, still }: Triangles) -> Self {
+    /// Builds the BVH over triangles, on all cores. Triangles with coordinates that are not finite are left out.
+    pub fn build(Triangles { corners, still }: Triangles) -> Self {
         let is_finite = |triangle: &[Vec3; 3]| triangle.iter().all(|corner| corner.is_finite());
         let (corners, still): (Vec<_>, Vec<_>) =
             corners.into_iter().zip(still).filter(|(triangle, _)| is_finite(triangle)).unzip();
         if corners.is_empty() {
-            return Self { triangles: Triangles::default(), tree: None };
+            return Self { triangles: Triangles::default(), bvh: None };
         }
         let largest = corners.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f32::max);
         let margin = Vec3A::splat(largest.max(1.0) * MARGIN);
         let leaves: Vec<Leaf<'_>> = corners.iter().map(|triangle| Leaf { triangle, margin }).collect();
-        let mut tree = tree(&leaves);
-        let order = std::mem::take(&mut tree.primitive_indices);
+        let mut bvh = bvh(&leaves);
+        let order = std::mem::take(&mut bvh.primitive_indices);
         let corners = order.iter().map(|i| corners[*i as usize]).collect();
         let still = order.iter().map(|i| still[*i as usize]).collect();
-        Self { triangles: Triangles { corners, still }, tree: Some(tree) }
+        Self { triangles: Triangles { corners, still }, bvh: Some(bvh) }
     }
 
     /// Whether a triangle never moves.
@@ -112,16 +112,16 @@ impl World {
         self.triangles.still[triangle]
     }
 
-    /// Every triangle, in world space.
+    /// Returns the corners of every triangle, in world space and metres.
     pub fn triangles(&self) -> &[[Vec3; 3]] {
         &self.triangles.corners
     }
 
-    /// The nearest triangle that a ray meets at a distance within `from` to `to`; not at `to` itself.
+    /// Finds the nearest triangle that a ray meets at a distance from `from` to below `to`, in multiples of its direction.
     pub fn first_hit(&self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
         let mut first: Option<Hit> = None;
         let walk = self.walk(ray, from, to)?;
-        self.tree.as_ref()?.ray_traverse(walk, &mut RayHit::none(), |_, triangle| {
+        self.bvh.as_ref()?.ray_traverse(walk, &mut RayHit::none(), |_, triangle| {
             let end = first.map_or(to, |hit| hit.distance);
             match ray.hit(&self.triangles.corners[triangle]).filter(|d| *d >= from && *d < end) {
                 Some(distance) => {
@@ -134,12 +134,12 @@ impl World {
         first
     }
 
-    /// Whether a ray meets any triangle at a distance within `from` to `to`: what is at `to` itself does not count.
+    /// Whether a ray meets any triangle at a distance from `from` to below `to`, in multiples of its direction.
     pub fn is_blocked(&self, ray: &Ray, from: f64, to: f64) -> bool {
-        let (Some(walk), Some(tree)) = (self.walk(ray, from, to), &self.tree) else {
+        let (Some(walk), Some(bvh)) = (self.walk(ray, from, to), &self.bvh) else {
             return false;
         };
-        !tree.ray_traverse_miss(walk, |_, triangle| {
+        !bvh.ray_traverse_miss(walk, |_, triangle| {
             let hit = ray
                 .hit(&self.triangles.corners[triangle])
                 .is_some_and(|distance| distance >= from && distance < to);
@@ -147,13 +147,13 @@ impl World {
         })
     }
 
-    /// The unit normal of a triangle, by its winding; zero for one without area.
+    /// Returns the unit normal of a triangle, by its winding; zero for one without area.
     pub fn normal(&self, triangle: usize) -> DVec3 {
         let [a, b, c] = self.triangles.corners[triangle].map(Vec3::as_dvec3);
         (b - a).cross(c - a).normalize_or_zero()
     }
 
-    /// The ray as the tree walks it, in f32. `None` for one that is not finite.
+    /// The ray as the BVH is traversed by it, in f32. `None` for one that is not finite.
     fn walk(&self, ray: &Ray, from: f64, to: f64) -> Option<obvhs::ray::Ray> {
         let (origin, direction) = (ray.origin.as_vec3a(), ray.direction.as_vec3a());
         let usable = origin.is_finite() && direction.is_finite() && direction != Vec3A::ZERO;
@@ -163,21 +163,21 @@ impl World {
 }
 
 /// As `obvhs::bvh2::builder::build_bvh2` does it, but for the clock that it reads: on wasm32 there is none.
-fn tree(leaves: &[Leaf<'_>]) -> Bvh2 {
+fn bvh(leaves: &[Leaf<'_>]) -> Bvh2 {
     let params = BvhBuildParams::fast_build();
-    let mut tree = PlocBuilder::with_capacity(leaves.len()).build(
+    let mut bvh = PlocBuilder::with_capacity(leaves.len()).build(
         params.ploc_search_distance,
         leaves,
         (0..leaves.len() as u32).collect(),
         params.sort_precision,
         params.search_depth_threshold,
     );
-    ReinsertionOptimizer::default().run(&mut tree, params.reinsertion_batch_ratio, None);
-    collapse(&mut tree, params.max_prims_per_leaf, params.collapse_traversal_cost);
-    tree
+    ReinsertionOptimizer::default().run(&mut bvh, params.reinsertion_batch_ratio, None);
+    collapse(&mut bvh, params.max_prims_per_leaf, params.collapse_traversal_cost);
+    bvh
 }
 
-/// A distance at which the tree, which adds in f32, has met all that is nearer than `distance`.
+/// A distance at which the BVH's traversal, which adds in f32, has met all that is nearer than `distance`.
 fn walked(distance: f64) -> f32 {
     (distance * (1.0 + f64::from(MARGIN))) as f32
 }
@@ -188,7 +188,7 @@ mod tests {
 
     use super::*;
 
-    /// The oracle of the tree: every triangle is asked.
+    /// The oracle of the BVH: every triangle is asked.
     fn brute_force(world: &World, ray: &Ray, from: f64, to: f64) -> Option<f64> {
         let hits = world.triangles().iter().filter_map(|triangle| ray.hit(triangle));
         hits.filter(|d| *d >= from && *d < to).min_by(f64::total_cmp)
@@ -202,7 +202,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(300))]
 
         #[test]
-        fn the_tree_answers_as_brute_force_does(
+        fn the_bvh_answers_as_brute_force_does(
             corners in prop::collection::vec((point(1000.0), point(30.0), point(30.0)), 1..400),
             rays in prop::collection::vec((point(1500.0), point(1.0), 0.0f64..10.0), 40),
         ) {
@@ -213,8 +213,8 @@ mod tests {
                 let aim = if from < 5.0 { direction } else { corners[0].0 - origin };
                 let ray = Ray::new(origin.as_dvec3(), aim.as_dvec3());
                 let by_force = brute_force(&world, &ray, from * 0.1, f64::INFINITY);
-                let by_tree = world.first_hit(&ray, from * 0.1, f64::INFINITY);
-                prop_assert_eq!(by_tree.map(|hit| hit.distance), by_force);
+                let by_bvh = world.first_hit(&ray, from * 0.1, f64::INFINITY);
+                prop_assert_eq!(by_bvh.map(|hit| hit.distance), by_force);
                 prop_assert_eq!(world.is_blocked(&ray, from * 0.1, f64::INFINITY), by_force.is_some());
                 // The end itself does not count, what is the least bit nearer does.
                 if let Some(hit) = by_force {
@@ -225,7 +225,7 @@ mod tests {
         }
 
         #[test]
-        fn the_tree_answers_as_brute_force_does_on_the_way_to_a_point_light(
+        fn the_bvh_answers_as_brute_force_does_on_the_way_to_a_point_light(
             corners in prop::collection::vec((point(20.0), point(10.0), point(10.0)), 1..40),
             light in point(25.0), origins in prop::collection::vec(point(25.0), 40),
         ) {

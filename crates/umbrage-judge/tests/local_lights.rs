@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use shapes::{box_sides, demand, ground, quad, sphere};
 use umbrage_judge::temporal::{Anchor, visibility};
-use umbrage_judge::{Claim, Edges, Error, Eye, Light, Pixel, Receiver, Truth, World, soft, sub_pixel};
+use umbrage_judge::{Edges, Error, Eye, Light, Pixel, Receiver, ShadowResult, Truth, World, soft, sub_pixel};
 use umbrage_scene::Camera;
 
 /// Where lights stand: 10 m above the ground.
@@ -204,7 +204,7 @@ fn the_soft_shadow_of_an_edge_is_the_share_of_the_disc_that_looks_past_it() {
 }
 
 #[test]
-fn a_false_shadow_under_a_lamp_is_acne_whatever_hangs_behind_the_lamp() {
+fn a_false_shadow_under_a_point_light_is_acne_whatever_hangs_behind_the_light() {
     let light = point(DVec3::new(0.0, 3.0, 0.0));
     for ceiling in [3.01, 40.0] {
         let world = world(&plate(Vec3::new(0.0, ceiling, 0.0), 5.0));
@@ -212,8 +212,8 @@ fn a_false_shadow_under_a_lamp_is_acne_whatever_hangs_behind_the_lamp() {
         let truth = Truth::new(&world, &Eye::new(&camera, 40, 40), &light, 100.0);
         assert_eq!(truth.judged(), truth.count(Pixel::Lit));
         let pixels = truth.pixels.len();
-        let claim = Claim { visibility: &vec![0.0; pixels], texel_metres: &vec![0.01; pixels] };
-        let error = Error::new(&world, &truth, &Edges::new(&truth), None, &claim).unwrap();
+        let result = ShadowResult { visibility: &vec![0.0; pixels], texel_metres: &vec![0.01; pixels] };
+        let error = Error::new(&world, &truth, &Edges::new(&truth), None, &result).unwrap();
         assert!(error.causes.acne > 0.999, "a ceiling at {ceiling} m: {:?}", error.causes);
     }
 }

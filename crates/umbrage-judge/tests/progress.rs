@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use umbrage_judge::{Claim, Edges, Error, Eye, Light, Pixel, Progress, Tally, Truth, Verdict, World};
+use umbrage_judge::{Edges, Error, Eye, Light, Pixel, Progress, ShadowResult, Tally, Truth, Verdict, World};
 use umbrage_scene::Camera;
 
 /// Of pictures: no multiple of anything, smaller than a block, wider than a tile.
@@ -45,7 +45,7 @@ fn progress(width: u32, height: u32) -> Progress {
 }
 
 /// A picture of visibility that is right here and wrong there.
-fn claim(pixels: usize, light: usize) -> Vec<f32> {
+fn result(pixels: usize, light: usize) -> Vec<f32> {
     (0..pixels).map(|i| ((i * 7 + light * 3) % 11) as f32 / 10.0).collect()
 }
 
@@ -133,15 +133,16 @@ fn the_tally_of_a_finished_progress_is_the_error_times_the_pixels() {
     let (width, height) = (130, 67);
     let mut progress = progress(width, height);
     let pixels = (width * height) as usize;
-    let claims = [claim(pixels, 0), claim(pixels, 1)];
-    let visibility = [claims[0].as_slice(), claims[1].as_slice()];
+    let results = [result(pixels, 0), result(pixels, 1)];
+    let visibility = [results[0].as_slice(), results[1].as_slice()];
     assert_eq!(progress.tally(&visibility), Tally::default(), "nothing is traced");
     let mut tiles = Tally::default();
     progress.advance(|| false).iter().for_each(|tile| tiles += progress.tally_of(tile, &visibility));
     let mut wanted = Tally::default();
     for (truth, visibility) in progress.truths().expect("all is traced").iter().zip(visibility) {
-        let claim = Claim { visibility, texel_metres: &vec![0.0; pixels] };
-        let error = Error::new(&world(), truth, &Edges::new(truth), None, &claim).expect("pixels are judged");
+        let result = ShadowResult { visibility, texel_metres: &vec![0.0; pixels] };
+        let error =
+            Error::new(&world(), truth, &Edges::new(truth), None, &result).expect("pixels are judged");
         let judged = truth.judged();
         let times = |share: f64| (share * judged as f64).round() as usize;
         wanted.judged += judged;

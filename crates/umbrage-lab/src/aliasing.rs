@@ -9,29 +9,30 @@ use serde::{Deserialize, Serialize};
 use umbrage::{Camera, Settings, ShadowPlan, TexelExtent};
 use umbrage_judge::{Pixel, Receiver, Truth};
 
-/// The texels behind one light's shadows in a picture.
+/// The texels that one light's shadows in a picture are read from.
 #[derive(Clone, Debug)]
 pub struct Aliasing {
-    /// Of each pixel, the texel that its shadow is read from; `None` where no map serves it, or its surface is edge-on.
+    /// The extent of the texel that each pixel's shadow is read from; `None` where no map serves the pixel, or its surface is
+    /// edge-on.
     pub extents: Vec<Option<TexelExtent>>,
-    /// The sums of it; `None` where no pixel reads a map.
+    /// A summary of the extents; `None` where no pixel reads a map.
     pub summary: Option<AliasingSummary>,
 }
 
-/// What can be said of a picture's texels in a few numbers. Pixels count whose shadows can be seen.
+/// A summary of a picture's texels in a few numbers. Only pixels whose shadows can be seen count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct AliasingSummary {
-    /// Of the longest extent of a texel, pixels: the median over the picture.
+    /// The median over the picture of each texel's longest extent, in pixels.
     pub median_px: f64,
-    /// The 95th percentile of it.
+    /// The 95th percentile of each texel's longest extent, in pixels.
     pub p95_px: f64,
-    /// The largest.
+    /// The largest extent of a texel, in pixels.
     pub max_px: f64,
-    /// Share of pixels whose texel is longer than a pixel.
+    /// The share of pixels whose texel is longer than a pixel, 0 to 1.
     pub under_sampled: f64,
-    /// Share of pixels whose texel is shorter than half a pixel, its longer way.
+    /// The share of pixels whose texel is shorter than half a pixel in its longest extent, 0 to 1.
     pub over_sampled: f64,
-    /// Distinct texels that are read, of all that the light has.
+    /// The share of the light's texels that are read, 0 to 1.
     pub utilisation: f64,
 }
 
@@ -116,8 +117,8 @@ impl AliasingSummary {
 /// The extent at which colours are full: eight times too large, or eight times too small.
 const FULL: f64 = 3.0;
 
-/// RGBA bytes of the longest extents: white where a texel is a pixel long, orange where longer, blue where shorter, full
-/// from eight times on. What no map serves is dark.
+/// Makes a heat map of the longest extents, as RGBA bytes: white where a texel is a pixel long, orange where longer, blue
+/// where shorter, with full colours from eight times on. Pixels that no map serves are dark.
 pub fn heat_map(extents: &[Option<TexelExtent>]) -> Vec<u8> {
     let colours =
         extents.iter().map(|extent| extent.map_or([24, 24, 24, 255], |extent| colour(extent.largest)));

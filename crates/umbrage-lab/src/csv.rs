@@ -7,13 +7,13 @@ use crate::tabulate::value_text;
 use crate::{Experiment, LabError, Row};
 
 /// What comes before the figures of a line.
-const BEFORE: [&str; 7] = ["way", "swept_key", "swept_value", "world", "camera", "motion", "repeat"];
+const BEFORE: [&str; 7] = ["variant", "swept_key", "swept_value", "world", "camera", "motion", "repeat"];
 
 /// What comes after them.
 const AFTER: [&str; 7] = ["width", "height", "adapter", "timestamps", "system", "cores", "commit"];
 
-/// One line for each row, after one of headings. Figures are raw: shares of 1, bytes, milliseconds; empty where there is
-/// none. Fields are quoted as RFC 4180 has it.
+/// Writes one line for each row, after a line of headings. Figures are raw: shares of 1, bytes, milliseconds; a field is
+/// empty where there is no such figure. Fields are quoted as RFC 4180 has it.
 pub fn csv(experiment: &Experiment, rows: &[Row]) -> String {
     let keys = ALL.iter().map(|figure| figure.key);
     let heading = BEFORE.into_iter().chain(keys).chain(AFTER).map(str::to_owned);
@@ -29,17 +29,17 @@ pub fn csv(experiment: &Experiment, rows: &[Row]) -> String {
 }
 
 fn before(experiment: &Experiment, row: &Row) -> [String; 7] {
-    let way = experiment.ways.get(row.way);
-    let cell = &row.cell;
-    let motion = cell.motion.and_then(|motion| serde_json::to_value(motion).ok());
+    let variant = experiment.variants.get(row.variant);
+    let run = &row.run;
+    let motion = run.motion.and_then(|motion| serde_json::to_value(motion).ok());
     [
-        way.map(|way| way.name.clone()).unwrap_or_default(),
-        way.and_then(|way| way.sweep.as_ref()).map(|sweep| sweep.key.clone()).unwrap_or_default(),
+        variant.map(|variant| variant.name.clone()).unwrap_or_default(),
+        variant.and_then(|variant| variant.sweep.as_ref()).map(|sweep| sweep.key.clone()).unwrap_or_default(),
         row.swept.as_ref().map(value_text).unwrap_or_default(),
-        cell.world.clone(),
-        cell.camera.clone(),
+        run.world.clone(),
+        run.camera.clone(),
         motion.as_ref().and_then(Value::as_str).unwrap_or_default().to_owned(),
-        cell.repeat.to_string(),
+        run.repeat.to_string(),
     ]
 }
 
@@ -70,18 +70,18 @@ fn quoted(field: &str) -> String {
     }
 }
 
-/// The experiment, and of each row its inputs, its machine and everything that was measured.
+/// Writes the experiment, and for each row its inputs, its machine and everything that was measured.
 ///
 /// # Errors
-/// When something in it has no form in JSON.
+/// When a value has no form in JSON.
 pub fn json(experiment: &Experiment, rows: &[Row]) -> Result<Value, LabError> {
     let rows = rows
         .iter()
         .map(|row| {
             Ok(json!({
-                "way": experiment.ways.get(row.way).map(|way| &way.name),
+                "variant": experiment.variants.get(row.variant).map(|variant| &variant.name),
                 "swept": serde_json::to_value(&row.swept)?,
-                "cell": serde_json::to_value(&row.cell)?,
+                "run": serde_json::to_value(&row.run)?,
                 "machine": serde_json::to_value(&row.outcome.machine)?,
                 "measurement": serde_json::to_value(&row.outcome.measurement)?,
             }))

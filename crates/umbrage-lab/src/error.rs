@@ -7,7 +7,7 @@ use umbrage_scene::SceneError;
 
 use crate::settings::WrongSettings;
 
-/// What can go wrong between an experiment and its page.
+/// An error between an experiment and its page.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LabError {
@@ -16,9 +16,9 @@ pub enum LabError {
     Experiment {
         /// The line of the file, from 1.
         line: usize,
-        /// The key at fault.
+        /// The key at fault; dots part levels.
         key: String,
-        /// What is wrong with it, and what would be right.
+        /// What is wrong with the value, and what would be right.
         wrong: String,
         /// The file.
         path: PathBuf,
@@ -28,27 +28,27 @@ pub enum LabError {
     File {
         /// "read" or "write".
         action: &'static str,
-        /// Which.
+        /// The path of the file.
         path: PathBuf,
-        /// What the system says.
+        /// The reason that the system gives.
         source: std::io::Error,
     },
-    /// There is no such world.
+    /// No built-in world and no file has that name.
     #[error("no built-in world is called `{name}`, and there is no such file; there are {}", worlds())]
     World {
-        /// What was asked for.
+        /// The name or path that was asked for.
         name: String,
     },
-    /// Settings do not exist.
+    /// A setting does not exist, or its value is wrong.
     #[error(transparent)]
     Settings(#[from] WrongSettings),
-    /// A world cannot be had.
+    /// A world cannot be loaded.
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// A world lacks something that every measurement needs.
     #[error("the world {world} has no {what}")]
     Missing {
-        /// What it lacks.
+        /// What the world lacks.
         what: String,
         /// The world's name.
         world: String,

@@ -12,151 +12,155 @@ use serde::{Deserialize, Deserializer, Serialize};
 use umbrage::Settings;
 
 use self::source::Source;
-use crate::cell::{AreaLight, Motion, SmoothTruth};
-use crate::flicker::Watch;
+use crate::path::{Motion, Watch};
+use crate::run::AreaLight;
 use crate::settings::{self, WrongSettings};
+use crate::truth_kind::SmoothTruth;
 use crate::{LabError, files};
 
 pub use entries::Entry;
 
-/// Worlds × cameras × ways × repeats.
+/// An experiment is what to measure: worlds × cameras × variants × repeats.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Experiment {
-    /// What the page is headed with.
+    /// The heading of the page.
     pub title: String,
-    /// The publication and its table or figure, or "this project".
+    /// The source: a publication with its table or figure, or "this project".
     pub source: String,
-    /// What the source did and found, in our words; paragraphs are parted by empty lines.
+    /// What the source did and found, in our words; empty lines part paragraphs. It is empty by default.
+    #[serde(default)]
     pub reported: String,
-    /// Built-in names, or paths of files, from the folder the command runs in.
+    /// The worlds: names of built-in ones, or paths of files as seen from the folder that the command runs in.
     pub worlds: Vec<String>,
-    /// Names of cameras that every one of the worlds has.
+    /// The names of cameras; every world must have all of them.
     pub cameras: Vec<String>,
-    /// How shadows are made: one or more.
-    pub ways: Vec<Way>,
-    /// What built-in worlds are grown from.
+    /// The variants of making shadows that are compared: one or more.
+    pub variants: Vec<Variant>,
+    /// The seed that built-in worlds are made from; 0 by default.
     #[serde(default)]
     pub seed: u64,
-    /// Width and height of the pictures, pixels.
+    /// The width and height of the pictures in pixels, each 1 to 16384; 640 × 360 by default.
     #[serde(default = "default_size", deserialize_with = "two_sides")]
     pub size: [u32; 2],
-    /// Jittered cameras around each camera; 1 is the camera alone.
+    /// The number of jittered cameras around each camera, 1 to 1000; 1, the default, is the camera alone.
     #[serde(default = "one")]
     pub repeats: u32,
-    /// Frames that are timed, of the camera itself; 0 for none.
+    /// The number of frames of the camera itself that are timed, 0 to 100000; 0, the default, times none.
     #[serde(default)]
     pub frames: u32,
-    /// Whether the page shows the pictures of the camera itself.
+    /// Whether the page shows the pictures of the camera itself; true by default.
     #[serde(default = "yes")]
     pub pictures: bool,
-    /// Parts of the pictures that the page shows enlarged too, world by world: left, top, width and height, pixels.
+    /// The parts of the pictures that the page shows enlarged too, world by world: left, top, width and height in pixels.
+    /// There are none by default.
     #[serde(default)]
     pub enlarged: BTreeMap<String, [u32; 4]>,
-    /// Paths along which flicker is measured; without any, single pictures are.
+    /// The paths along which flicker is measured; without any, the default, single pictures are measured.
     #[serde(default)]
     pub motions: Vec<Motion>,
-    /// How long those paths are, and how many points are watched.
+    /// How long those paths are, and how many points are watched: 240 frames and 20,000 points by default.
     #[serde(default)]
     pub watch: Watch,
-    /// What visibility is compared with besides the hard truth, which always is.
+    /// The truths that visibility is compared with besides the hard truth; none by default.
     #[serde(default)]
     pub truths: Vec<SmoothTruth>,
-    /// Points of each light that a soft truth is the mean of.
+    /// The number of points of each light that a soft truth is the mean of, 8 to 65536; 256 by default.
     #[serde(default = "default_light_points")]
     pub light_points: u32,
-    /// Columns of the table, by their keys in [`crate::figures`].
+    /// The columns of the table, by the keys of figures in [`crate::figures`].
     pub columns: Vec<String>,
-    /// Plots over the table.
+    /// The plots over the table; none by default.
     #[serde(default)]
     pub plots: Vec<Plot>,
-    /// What the source says that can be checked.
+    /// The claims of the source that can be checked; none by default.
     #[serde(default)]
     pub claims: Vec<Claim>,
 }
 
-/// A way to make shadows.
+/// A variant is one choice of settings to make shadows with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Way {
-    /// What the page calls it.
+pub struct Variant {
+    /// The name that the page gives the variant.
     pub name: String,
-    /// The preset it starts from.
+    /// The preset that the variant starts from; "default" by default.
     #[serde(default = "default_preset")]
     pub preset: String,
-    /// Settings over the preset, as in a `[shadows]` table.
+    /// Settings that replace those of the preset, as in a `[shadows]` table; none by default.
     #[serde(default)]
     pub set: toml::Table,
-    /// Lights of some size instead of points: a map for each of many samples, the reference for soft shadows.
+    /// Lights of some size instead of points: a map for each of many samples, the reference for soft shadows. Lights are
+    /// points by default.
     #[serde(default)]
     pub area: Option<AreaLight>,
-    /// One setting that takes several values in turn.
+    /// One setting that takes several values in turn; none by default.
     #[serde(default)]
     pub sweep: Option<Sweep>,
-    /// What the source reported of it, world by world: shown beside our figures.
+    /// What the source reported of the variant, world by world, which the page shows beside our figures.
     #[serde(default)]
     pub reported: BTreeMap<String, String>,
 }
 
-/// A setting and its values.
+/// A sweep is a setting that takes several values in turn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sweep {
-    /// The setting, as on the command line: `lambda`, `bias.normal`.
+    /// The key of the setting, as on the command line: `lambda`, `bias.normal`.
     pub key: String,
-    /// Its values, in rising order.
+    /// The values of the setting, in rising order.
     pub values: Vec<toml::Value>,
 }
 
-/// A plot: a point for each way (or a line, where it sweeps), the mean of all cameras and repeats.
+/// A plot has a point for each variant, or a line where the variant sweeps: the mean of all cameras and repeats.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plot {
-    /// What is across: a key of [`crate::figures`], or `sweep`.
+    /// The horizontal axis: the key of a figure in [`crate::figures`], or `sweep`.
     pub x: String,
-    /// What is up: a key of [`crate::figures`].
+    /// The vertical axis: the key of a figure in [`crate::figures`].
     pub y: String,
-    /// Whether the axis across is logarithmic.
+    /// Whether the horizontal axis is logarithmic; false by default.
     #[serde(default)]
     pub log_x: bool,
-    /// Whether the points that no other point beats in both are joined: the Pareto front.
+    /// Whether the points that no other point beats in both figures are joined, the Pareto front; false by default.
     #[serde(default)]
     pub pareto: bool,
-    /// Whether each world has a plot of its own; otherwise all worlds are one mean.
+    /// Whether each world has a plot of its own; if not, the default, the plot shows the mean over all worlds.
     #[serde(default)]
     pub by_world: bool,
 }
 
-/// Something the source says that can be checked: a figure of one way is at most so many times that of another, in every
-/// world and camera it is said of.
+/// A claim of the source that can be checked: a figure of one variant is at most so many times that of another, in every
+/// world and camera that the claim is about.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
-    /// In words.
+    /// The claim in words.
     pub says: String,
-    /// A key of [`crate::figures`].
+    /// The figure that is compared, by its key in [`crate::figures`].
     pub figure: String,
-    /// The way whose figure is smaller.
-    pub way: String,
-    /// The way whose figure is larger.
+    /// The name of the variant whose figure is smaller.
+    pub variant: String,
+    /// The name of the variant whose figure is larger.
     pub than: String,
-    /// How many times the larger figure the smaller one may be at most.
+    /// The maximum ratio of the smaller figure to the larger one; 1 by default.
     #[serde(default = "one_time")]
     pub times: f64,
-    /// In which worlds; in all where empty.
+    /// The worlds that the claim is about; all of them by default.
     #[serde(default)]
     pub worlds: Vec<String>,
-    /// In which cameras; in all where empty.
+    /// The cameras that the claim is about; all of them by default.
     #[serde(default)]
     pub cameras: Vec<String>,
 }
 
 impl Experiment {
-    /// Reads an experiment, and checks that all it names exists. Worlds are loaded for the names of their cameras; none
-    /// is drawn.
+    /// Reads an experiment, and checks that everything it names exists. Worlds are loaded for the names of their cameras;
+    /// none is drawn.
     ///
     /// # Errors
-    /// When the file cannot be read, and the first thing in it that is wrong, by its line and key.
+    /// When the file cannot be read, or something in it is wrong: the first such thing, by its line and key.
     pub fn read(path: &Path) -> Result<Self, LabError> {
         Self::read_with(path, |world, seed| {
             let cameras = files::load_world(world, seed)?.scene.cameras;
@@ -164,11 +168,12 @@ impl Experiment {
         })
     }
 
-    /// As [`Self::read`], for those who keep worlds that they have loaded: `cameras` gives the names of the cameras of
-    /// a world (by its name or path, and the seed it is grown from). It is asked once a world, after all other checks.
+    /// Reads as [`Self::read`] does, for programs that keep the worlds they have loaded: `cameras` gives the names of the
+    /// cameras of a world, by its name or path and the seed that it is made from. It is asked once a world, after all other
+    /// checks.
     ///
     /// # Errors
-    /// As [`Self::read`]; what `cameras` returns is an error of the line that names the world.
+    /// As [`Self::read`]; an error of `cameras` becomes one of the line that names the world.
     pub fn read_with(
         path: &Path,
         cameras: impl FnMut(&str, u64) -> Result<Vec<String>, LabError>,
@@ -182,11 +187,11 @@ impl Experiment {
     }
 }
 
-impl Way {
-    /// Its settings, for each value of its sweep; one without a value where it has no sweep.
+impl Variant {
+    /// Returns the settings for each value of the variant's sweep, or one without a value where it has no sweep.
     ///
     /// # Errors
-    /// The first setting that is unknown or out of its range.
+    /// When a setting is unknown or out of its range: the first such setting.
     pub fn settings(&self) -> Result<Vec<(Option<toml::Value>, Settings)>, WrongSettings> {
         match &self.sweep {
             None => Ok(vec![(None, self.settings_at(None)?)]),
@@ -196,7 +201,7 @@ impl Way {
         }
     }
 
-    /// Its settings at one value of its sweep.
+    /// The settings at one value of the variant's sweep.
     fn settings_at(&self, swept: Option<&toml::Value>) -> Result<Settings, WrongSettings> {
         let mut table = settings::preset(&self.preset)?;
         settings::overlay(&mut table, self.set.clone());

@@ -5,35 +5,35 @@ use umbrage_judge::statistics::Spread;
 
 use crate::{Measurement, Milliseconds};
 
-/// How a figure is written.
+/// The format of a figure: its unit and its decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// A share, as per cent.
+    /// A share of 1 is written as per cent.
     Percent,
-    /// Pixels.
+    /// A length is written in pixels.
     Pixels,
-    /// Milliseconds.
+    /// A time is written in milliseconds.
     Milliseconds,
-    /// Bytes, as MiB.
+    /// A number of bytes is written in MiB.
     Bytes,
-    /// A count.
+    /// A count is written without decimals.
     Count,
-    /// A plain number.
+    /// A plain number is written with four decimals.
     Plain,
 }
 
-/// A figure of a [`Measurement`].
+/// A figure of a [`Measurement`], which tables, plots and claims can name.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
-    /// Its place in the JSON of a measurement, levels parted by dots.
+    /// The figure's place in the JSON of a measurement; dots part levels.
     pub key: &'static str,
-    /// What tables and axes call it.
+    /// The label that tables and axes give the figure.
     pub label: &'static str,
-    /// How it is written.
+    /// The format in which the figure is written.
     pub format: Format,
 }
 
-/// Every figure there is.
+/// All figures, in the order in which tables of them are written.
 pub const ALL: &[Figure] = &[
     figure("error.mis_shadowed", "mis-shadowed", Format::Percent),
     figure("error.false_shadow", "false shadow", Format::Percent),
@@ -91,17 +91,18 @@ const fn figure(key: &'static str, label: &'static str, format: Format) -> Figur
 }
 
 impl Figure {
-    /// The figure with a key.
+    /// Returns the figure with a key; `None` where there is no such figure.
     pub fn named(key: &str) -> Option<&'static Self> {
         ALL.iter().find(|figure| figure.key == key)
     }
 
-    /// Its value in a measurement; `None` where that has none.
+    /// Returns the figure's value in a measurement; `None` where that has no such value.
     pub fn of(&self, measurement: &Measurement) -> Option<f64> {
         values(measurement).into_iter().find(|(figure, _)| figure.key == self.key).map(|(_, value)| value)
     }
 
-    /// The spread over all timed frames, of a figure that is timed; `None` of others, and where nothing was timed.
+    /// Returns the spread over all timed frames of a figure that is a time; `None` for other figures, and where nothing was
+    /// timed.
     pub fn spread_of(&self, measurement: &Measurement) -> Option<Spread> {
         let Milliseconds { plan, casters, filter, shade, frame } = measurement.milliseconds?;
         match self.key {
@@ -114,13 +115,14 @@ impl Figure {
         }
     }
 
-    /// Whether it needs pixels that are judged.
+    /// Whether the figure needs judged pixels.
     pub fn is_of_judged_pixels(&self) -> bool {
         let parts = ["error.", "sub_pixel.", "sun.", "wide_sun.", "aliasing."];
         parts.iter().any(|part| self.key.starts_with(part)) || matches!(self.key, "flip" | "jump")
     }
 
-    /// Whether less of it is better. Not so of what describes the world, and of what is best in the middle.
+    /// Whether a smaller value is better. That is false for figures that describe the world, and for those whose best value
+    /// is in the middle.
     pub fn is_better_lower(&self) -> bool {
         let is_best_elsewhere = matches!(
             self.key,
@@ -129,7 +131,7 @@ impl Figure {
         !self.key.starts_with("truth.") && !self.key.ends_with(".bias") && !is_best_elsewhere
     }
 
-    /// Its label with its unit, as columns and axes are headed.
+    /// Returns the label with the unit, as columns and axes are headed.
     pub fn heading(&self) -> String {
         match self.format.unit() {
             "" => self.label.to_owned(),
@@ -137,7 +139,7 @@ impl Figure {
         }
     }
 
-    /// A value as it is written, with its unit.
+    /// Writes a value with its unit.
     pub fn text(&self, value: f64) -> String {
         let number = self.format.number(value);
         match self.format.unit() {
@@ -148,7 +150,7 @@ impl Figure {
 }
 
 impl Format {
-    /// The unit it is written in; empty where there is none.
+    /// Returns the unit that values are written in; empty where they have none.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Percent => "%",
@@ -159,7 +161,7 @@ impl Format {
         }
     }
 
-    /// A value in that unit.
+    /// Converts a value into that unit.
     pub fn in_unit(self, value: f64) -> f64 {
         match self {
             Self::Percent => 100.0 * value,
@@ -168,7 +170,7 @@ impl Format {
         }
     }
 
-    /// A value in that unit, as it is written.
+    /// Writes a value in that unit, without the unit.
     pub fn number(self, value: f64) -> String {
         let decimals: usize = match self {
             Self::Percent | Self::Pixels => 3,
@@ -182,7 +184,7 @@ impl Format {
     }
 }
 
-/// Every figure that a measurement has, in the order of [`ALL`]. All are finite.
+/// Returns every figure that a measurement has with its value, in the order of [`ALL`]. All values are finite.
 pub fn values(measurement: &Measurement) -> Vec<(&'static Figure, f64)> {
     let json = serde_json::to_value(measurement).unwrap_or_default();
     let value = |figure: &Figure| match figure.key {

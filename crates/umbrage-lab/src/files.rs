@@ -8,8 +8,8 @@ use umbrage_scene::{Imported, Scene, worlds};
 
 use crate::LabError;
 
-/// Writes bytes under a temporary name beside `path`, and renames. A link is followed. What is no file, as a device or a
-/// pipe, is written into: a file in its place would be a surprise.
+/// Writes bytes under a temporary name beside `path`, and renames that file. A link is followed. A device or a pipe is
+/// written into: a file in its place would be a surprise.
 ///
 /// # Errors
 /// When the system does not let it, or `path` is a folder. A file that was there stays as it was.
@@ -32,10 +32,19 @@ fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Whether files can be made in a folder: makes one, and removes it.
+/// Makes a folder, and those that it lies in, where they are not there.
 ///
 /// # Errors
-/// What the system says against it.
+/// When the system does not let it.
+pub fn make_folder(folder: &Path) -> Result<(), LabError> {
+    let failed = |source| LabError::File { action: "write", path: folder.to_owned(), source };
+    std::fs::create_dir_all(folder).map_err(failed)
+}
+
+/// Checks whether files can be made in a folder: it makes one, and removes it.
+///
+/// # Errors
+/// When the system does not let it.
 pub fn check_writable(folder: &Path) -> Result<(), LabError> {
     let made = temporary(folder).and_then(|mut file| file.write_all(b"whether there is room"));
     made.map_err(|source| LabError::File { action: "write", path: folder.to_owned(), source })
@@ -50,7 +59,7 @@ fn temporary(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// A built-in world, or one from a file.
+/// Loads a built-in world by its name, or a world from a file by its path. `seed` is what a built-in world is made from.
 ///
 /// # Errors
 /// When there is no such world, or its file cannot be read.
@@ -65,25 +74,25 @@ pub fn load_world(name: &str, seed: u64) -> Result<Imported, LabError> {
     Ok(umbrage_scene::load(path)?)
 }
 
-/// SHA-256 of some bytes, in hexadecimal.
+/// Computes the SHA-256 of some bytes, in hexadecimal.
 pub fn hash(bytes: &[u8]) -> String {
     format!("{:x}", Sha256::digest(bytes))
 }
 
-/// The hash of the program that runs.
+/// Computes the hash of the program that runs: that of its executable file.
 ///
 /// # Errors
-/// When its file cannot be read.
+/// When that file cannot be read.
 pub fn program_hash() -> Result<String, LabError> {
     let failed = |path: &Path, source| LabError::File { action: "read", path: path.to_owned(), source };
     let path = std::env::current_exe().map_err(|why| failed(Path::new("the program's own file"), why))?;
     Ok(hash(&std::fs::read(&path).map_err(|why| failed(&path, why))?))
 }
 
-/// The hash of all that is in a scene.
+/// Computes the hash of everything in a scene.
 ///
 /// # Errors
-/// When the scene contradicts itself, so that it cannot be written down.
+/// When the scene contradicts itself, so that it cannot be exported.
 pub fn scene_hash(scene: &Scene) -> Result<String, LabError> {
     Ok(hash(&umbrage_scene::to_glb(scene)?))
 }

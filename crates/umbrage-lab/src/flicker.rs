@@ -1,46 +1,30 @@
 //! Measures how unsteady shadows are: the visibility of fixed points of the world along a path, frame by frame.
 //!
-//! Every point asks the shadow maps themselves, through the shaders' own lookup ([`umbrage_render::Renderer::ask`]), so
+//! Every point asks the shadow maps themselves, through the shaders' own lookup ([`umbrage_render::Renderer::query`]), so
 //! that the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
 //! points that something hides are not, for the maps answer for them all the same.
 
 use glam::{Mat4, Vec3};
-use serde::{Deserialize, Serialize};
 use umbrage::Settings;
-use umbrage_judge::temporal::{Anchor, Flicker, Seen, anchors, visibility};
+use umbrage_judge::temporal::{Anchor, AnchorResult, Flicker, anchors, visibility};
 use umbrage_judge::{Eye, Light};
 use umbrage_render::{Point, Show};
 use umbrage_scene::{Camera, Instance, LightKind};
 
-use crate::cell::Motion;
 use crate::error::LabError;
-use crate::laboratory::{Laboratory, Shot};
-
-/// How long a path is, and how many points are looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Watch {
-    /// Frames of the path.
-    pub frames: usize,
-    /// Points of the world.
-    pub points: usize,
-}
-
-impl Default for Watch {
-    fn default() -> Self {
-        Self { frames: 240, points: 20_000 }
-    }
-}
+use crate::laboratory::Laboratory;
+use crate::path::{Motion, Watch};
+use crate::shot::Shot;
 
 /// Frames a second, for things that move.
 const FRAMES_PER_SECOND: f32 = 60.0;
 
 impl Laboratory<'_> {
-    /// Draws the maps of every frame of a path that starts at a shot, and watches points of the world in those of the first
-    /// light.
+    /// Draws the maps of every frame of a path that starts at a shot, and watches points of the world in the maps of the
+    /// first light.
     ///
     /// # Errors
-    /// As [`Laboratory::judge`]; and where the world has nothing that moves so.
+    /// As [`Laboratory::judge`]; and when the world has nothing that can move along the path.
     pub fn flicker(
         &mut self,
         shot: &Shot,
@@ -77,9 +61,9 @@ impl Laboratory<'_> {
         let from: Vec<Eye> = thirds.into_iter().filter_map(|i| eyes.get(i).copied()).collect();
         let anchors =
             anchors(&world, &from, &light_of(shot)?, watch.points, |triangle| world.is_still(triangle));
-        let (mut claim, mut truth): (Vec<_>, Vec<Vec<f32>>) = (Vec::new(), Vec::new());
+        let (mut result, mut truth): (Vec<_>, Vec<Vec<f32>>) = (Vec::new(), Vec::new());
         for (shot, eye) in shots.iter().zip(&eyes) {
-            claim.push(self.claimed(shot, settings, eye, &anchors)?);
+            result.push(self.drawn(shot, settings, eye, &anchors)?);
             let is_same = !matches!(motion, Motion::Sun | Motion::Objects);
             let known = truth.last().filter(|_| is_same).cloned();
             truth.push(match known {
@@ -87,36 +71,36 @@ impl Laboratory<'_> {
                 None => visibility(&self.world_at(shot.seconds), &light_of(shot)?, &anchors),
             });
         }
-        Ok(Flicker::new(&claim, &truth))
+        Ok(Flicker::new(&result, &truth))
     }
 
-    /// What the maps of a frame say of points.
-    fn claimed(
+    /// The result at each anchor, as the maps of a frame have it.
+    fn drawn(
         &mut self,
         shot: &Shot,
         settings: &Settings,
         eye: &Eye,
         anchors: &[Anchor],
-    ) -> Result<Vec<Seen>, LabError> {
-        let plan = self.renderer().render(&shot.frame(Show::Nothing)?)?.plan;
+    ) -> Result<Vec<AnchorResult>, LabError> {
+        let drawn = self.renderer().render(&shot.frame(Show::Nothing)?)?.drawn;
         let point =
             |anchor: &Anchor| Point { position: anchor.position.as_vec3(), normal: anchor.normal.as_vec3() };
         let points: Vec<Point> = anchors.iter().map(point).collect();
-        let answers = self.renderer().ask(0, &points)?;
-        let claim = |((anchor, point), answer): ((&Anchor, &Point), f32)| {
-            let view = umbrage::view_of(&plan, settings, 0, point.position, point.normal);
-            Seen {
+        let answers = self.renderer().query(&drawn, 0, &points)?;
+        let result = |((anchor, point), answer): ((&Anchor, &Point), f32)| {
+            let view = umbrage::view_of(drawn.plan(), settings, 0, point.position, point.normal);
+            AnchorResult {
                 visibility: eye.project(anchor.position).map_or(f32::NAN, |_| answer),
                 map: view.map_or(usize::MAX, |view| view.index),
             }
         };
-        Ok(anchors.iter().zip(&points).zip(answers).map(claim).collect())
+        Ok(anchors.iter().zip(&points).zip(answers).map(result).collect())
     }
 
     /// The size of the finest view's texels, metres.
     fn finest_texel(&mut self, shot: &Shot) -> Result<f32, LabError> {
-        let plan = self.renderer().render(&shot.frame(Show::Nothing)?)?.plan;
-        Ok(plan.views().iter().map(|view| view.texel_metres).fold(f32::INFINITY, f32::min))
+        let drawn = self.renderer().render(&shot.frame(Show::Nothing)?)?.drawn;
+        Ok(drawn.plan().views().iter().map(|view| view.texel_metres).fold(f32::INFINITY, f32::min))
     }
 }
 

@@ -2,14 +2,15 @@
 
 use rayon::prelude::*;
 use umbrage::{LightKind, Settings, ShadowPlan};
-use umbrage_judge::{Claim, DepthBand, Edges, Error, Part, Pixel, Receiver, Smooth, Truth, World};
+use umbrage_judge::{
+    DepthBand, Edges, Error, Part, Pixel, Receiver, ShadowResult, Smooth, Truth, Verdict, World,
+};
 
 use crate::aliasing::Aliasing;
-use crate::heat::Wrongness;
 use crate::measurement::{MeasuredLight, TruthCounts};
 use crate::truths::Traced;
 
-/// What one light's shadows came to.
+/// The judgement of one light's shadows.
 pub(crate) struct Judgement {
     pub part: Option<Part>,
     counts: TruthCounts,
@@ -19,7 +20,7 @@ pub(crate) struct Judgement {
 }
 
 impl Judgement {
-    /// Of light number `light` of the plan, by what its maps say of each pixel. `smooth` is a truth between lit and
+    /// Judges light number `light` of the plan, by what its maps say of each pixel. `smooth` is a truth between lit and
     /// shadowed, for the figures that know such.
     pub fn new(
         world: &World,
@@ -32,8 +33,8 @@ impl Judgement {
     ) -> Self {
         let Traced { truth, edges } = traced;
         let texel_metres = texel_metres(plan, settings, light, truth);
-        let claim = Claim { visibility, texel_metres: &texel_metres };
-        // Lamps' views are cut elsewhere, or not at all.
+        let result = ShadowResult { visibility, texel_metres: &texel_metres };
+        // The views of punctual lights are cut elsewhere, or not at all.
         let is_sun = matches!(plan.lights()[light].kind(), LightKind::Directional { .. });
         let cuts = if is_sun { plan.splits() } else { &[] };
         let counts = TruthCounts {
@@ -43,17 +44,17 @@ impl Judgement {
             edge_px: edges.length(),
             standard_error: smooth.map_or(0.0, |smooth| mean_error(truth, smooth)),
         };
-        let error = Error::new(world, truth, edges, smooth, &claim);
+        let error = Error::new(world, truth, edges, smooth, &result);
         Self {
             part: error.map(|error| Part { error, pixels: counts.pixels, edge_px: counts.edge_px }),
             counts,
-            splits: DepthBand::between(truth, edges, &claim, cuts),
-            around_cuts: around_cuts(truth, edges, &claim, cuts),
+            splits: DepthBand::between(truth, edges, &result, cuts),
+            around_cuts: around_cuts(truth, edges, &result, cuts),
             aliasing: Aliasing::new(plan, settings, light, truth),
         }
     }
 
-    /// As it is stored, under the light's name.
+    /// Returns the figures as they are stored, under the light's name.
     pub fn measured(&self, name: &str) -> MeasuredLight {
         let error = self.part.as_ref().map(|part| part.error.clone());
         MeasuredLight { name: name.to_owned(), truth: self.counts, error, aliasing: self.aliasing.summary }
@@ -79,23 +80,16 @@ pub(crate) fn pooled(judgements: &[Judgement]) -> TruthCounts {
     TruthCounts { standard_error: sum.standard_error / sum.pixels.max(1) as f64, ..sum }
 }
 
-/// What is claimed of each pixel, against the truth: of its lights, the first that is wrong.
-pub(crate) fn wrongness(traced: &[Traced], visibility: &[Vec<f32>]) -> Vec<Wrongness> {
-    let of_light =
-        |traced: &Traced, visibility: &[f32], i: usize| match (traced.truth.pixels[i], visibility[i] < 0.5) {
-            (Pixel::Lit, true) => Wrongness::FalseShadow,
-            (Pixel::Shadowed, false) => Wrongness::FalseLight,
-            (pixel, _) if pixel.is_judged() => Wrongness::Right,
-            _ => Wrongness::NotJudged,
-        };
+/// The verdict on each pixel, all lights together.
+pub(crate) fn verdicts(traced: &[Traced], visibility: &[Vec<f32>]) -> Vec<Verdict> {
     let pixels = traced.first().map_or(0, |traced| traced.truth.pixels.len());
-    let worst = |i: usize| {
-        let all =
-            || traced.iter().zip(visibility).map(|(traced, visibility)| of_light(traced, visibility, i));
-        let wrong = |of: &Wrongness| matches!(of, Wrongness::FalseShadow | Wrongness::FalseLight);
-        all().find(wrong).or_else(|| all().find(|of| *of == Wrongness::Right)).unwrap_or(Wrongness::NotJudged)
+    let of_lights = |i: usize| {
+        let lights = traced.iter().zip(visibility);
+        Verdict::of_lights(
+            lights.map(|(traced, visibility)| Verdict::new(Some(traced.truth.pixels[i]), visibility[i])),
+        )
     };
-    (0..pixels).map(worst).collect()
+    (0..pixels).map(of_lights).collect()
 }
 
 /// The size of the texels that each pixel is read from, on a plane there that faces the light.
@@ -109,12 +103,17 @@ fn texel_metres(plan: &ShadowPlan, settings: &Settings, light: usize, truth: &Tr
 }
 
 /// What is wrong within a quarter of each inner cut's depth, before and after it.
-fn around_cuts(truth: &Truth, edges: &Edges, claim: &Claim<'_>, splits: &[f64]) -> Vec<[DepthBand; 2]> {
+fn around_cuts(
+    truth: &Truth,
+    edges: &Edges,
+    result: &ShadowResult<'_>,
+    splits: &[f64],
+) -> Vec<[DepthBand; 2]> {
     let inner = splits.iter().skip(1).take(splits.len().saturating_sub(2));
     inner
         .map(|cut| [[0.75 * cut, *cut], [*cut, 1.25 * cut]])
         .filter_map(|sides| {
-            let [before, after] = sides.map(|side| DepthBand::between(truth, edges, claim, &side).pop());
+            let [before, after] = sides.map(|side| DepthBand::between(truth, edges, result, &side).pop());
             Some([before?, after?])
         })
         .collect()

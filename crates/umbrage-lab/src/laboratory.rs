@@ -4,69 +4,39 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use umbrage::{Settings, ShadowPlan};
-use umbrage_judge::statistics::Spread;
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, RenderError, Renderer, Show, lamp};
-use umbrage_scene::{Camera, Scene};
+use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, Rendered, Renderer, Show};
+use umbrage_scene::Scene;
 
 use crate::aliasing::Aliasing;
 use crate::error::LabError;
 use crate::heat::heat_map;
-use crate::judgement::{Judgement, pooled, wrongness};
+use crate::judgement::{Judgement, pooled, verdicts};
 use crate::measurement::{Measurement, Milliseconds};
+use crate::shot::Shot;
+use crate::truth_kind::TruthKind;
 use crate::truths::{Traced, Truths};
 
-/// A picture to take.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shot {
-    /// From where.
-    pub camera: Camera,
-    /// What shines, 16 at most. Every light's shadows are judged.
-    pub lights: Vec<umbrage_scene::Light>,
-    /// When, for things that move.
-    pub seconds: f32,
-    /// Width, pixels.
-    pub width: u32,
-    /// Height, pixels.
-    pub height: u32,
-}
-
-/// What visibility is compared with, in the figures that know values between lit and shadowed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TruthKind {
-    /// One ray through each pixel's centre.
-    Hard,
-    /// The mean over so many by so many points of each pixel.
-    SubPixel(u32),
-    /// The mean over so many points of the light.
-    Soft {
-        /// Points.
-        samples: u32,
-        /// How large a sun is: the whole angle that it is seen under, radians. Lamps have half of it for a radius, metres.
-        angle: f64,
-    },
-}
-
-/// What a picture shows, what it should show, and what is wrong with it.
+/// A picture that was drawn and judged: what it shows, what it should show, and what is wrong with it.
 #[derive(Clone, Debug)]
 pub struct Judged {
-    /// The figures.
+    /// The figures of the picture.
     pub measurement: Measurement,
-    /// Of each light, the visibility of every pixel, 0 to 1.
+    /// The visibility of every pixel, 0 to 1, one list for each light.
     pub visibility: Vec<Vec<f32>>,
-    /// The shaded picture, one sample a pixel.
+    /// The shaded picture, with one sample a pixel.
     pub shaded: Picture,
-    /// The same with true shadows. Pixels that are not judged are as in `shaded`.
+    /// The picture with true shadows. Pixels that are not judged are as in `shaded`.
     pub true_picture: Picture,
-    /// Where it is wrong, and how.
+    /// The heat map, which shows where the picture is wrong, and in which direction.
     pub heat_map: Picture,
-    /// The plan it was drawn with.
+    /// The plan that the picture was drawn with.
     pub plan: ShadowPlan,
-    /// How long tracing took, building the tree included where it was built.
+    /// The time that tracing took, with the BVH build where there was one.
     pub tracing: Duration,
 }
 
-/// A scene, drawn and judged.
+/// A laboratory draws a scene, and judges what it drew.
 #[derive(Debug)]
 pub struct Laboratory<'a> {
     scene: &'a Scene,
@@ -78,7 +48,7 @@ pub struct Laboratory<'a> {
 }
 
 impl<'a> Laboratory<'a> {
-    /// Uploads a scene. The tree for tracing is built when it is first needed.
+    /// Uploads a scene. The BVH for tracing is built when it is first needed.
     ///
     /// # Errors
     /// As [`Renderer::new`].
@@ -97,16 +67,16 @@ impl<'a> Laboratory<'a> {
         self.gpu
     }
 
-    /// What draws the scene.
+    /// Returns the renderer that draws the scene.
     pub fn renderer(&mut self) -> &mut Renderer {
         &mut self.renderer
     }
 
-    /// Draws and judges a picture, and draws `frames` more of it for their times. With an area, lights have that size, and
-    /// visibility is the mean over their samples.
+    /// Draws and judges a picture, and draws it `frames` times more for their times. With an area, lights have that size,
+    /// and visibility is the mean over their samples.
     ///
     /// # Errors
-    /// When the camera, a light or the settings cannot be used, or drawing fails.
+    /// When the camera, a light or the settings cannot be used, or drawing fails; the error names the value.
     pub fn judge(
         &mut self,
         shot: &Shot,
@@ -118,11 +88,13 @@ impl<'a> Laboratory<'a> {
         self.use_settings(settings)?;
         let frame = shot.frame(Show::World)?;
         let visibility = self.visibility(&frame, area)?;
-        let plan = self.renderer.render(&frame)?.plan;
+        let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
+        let plan = drawn.plan().clone();
         let shaded = match area {
-            None => self.renderer.picture()?,
+            None => drawn.picture()?,
             Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
         };
+        drop(drawn);
         let times = self.times(&frame, area, frames)?;
 
         let start = web_time::Instant::now();
@@ -172,12 +144,12 @@ impl<'a> Laboratory<'a> {
             every_frame: times.iter().map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter]).collect(),
             flicker: None,
         };
-        let heat_map = Picture { rgba: heat_map(&shaded.rgba, &wrongness(&traced, &visibility)), ..shaded };
+        let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };
         Ok(Judged { measurement, visibility, shaded, true_picture, heat_map, plan, tracing })
     }
 
-    /// How far a judged picture of a shot is from a truth between lit and shadowed, all lights together. `None` of the
-    /// hard truth, and where no pixel is judged. What is traced is kept until another shot.
+    /// Compares a judged picture of a shot with a truth between lit and shadowed, all lights together. `None` for the hard
+    /// truth, and where no pixel is judged. What is traced is kept until another shot.
     pub fn deviation(&mut self, shot: &Shot, judged: &Judged, kind: TruthKind) -> Option<Deviation> {
         let (world, distance) = (self.world_at(shot.seconds), shadow_distance(&judged.plan));
         let traced = self.truths.hard(shot, distance, &world);
@@ -188,21 +160,22 @@ impl<'a> Laboratory<'a> {
         Deviation::new(&compared.collect::<Vec<_>>())
     }
 
-    /// How large the texels of one of a shot's lights look, pixel by pixel.
+    /// Measures how large the texels of one of a shot's lights look, pixel by pixel.
     ///
     /// # Errors
-    /// As [`Self::judge`], and when there is no such light.
+    /// As [`Self::judge`], and when there is no light with that index.
     pub fn aliasing(&mut self, shot: &Shot, settings: &Settings, light: usize) -> Result<Aliasing, LabError> {
         self.use_settings(settings)?;
-        let plan = self.renderer.render(&shot.frame(Show::World)?)?.plan;
+        let Rendered { drawn, times: _ } = self.renderer.render(&shot.frame(Show::World)?)?;
+        let plan = drawn.plan();
         let world = self.world_at(shot.seconds);
-        let traced = self.truths.hard(shot, shadow_distance(&plan), &world);
+        let traced = self.truths.hard(shot, shadow_distance(plan), &world);
         let missing = || LabError::Missing { what: format!("light {light}"), world: self.scene.name.clone() };
         let Traced { truth, .. } = traced.get(light).ok_or_else(missing)?;
-        Ok(Aliasing::new(&plan, settings, light, truth))
+        Ok(Aliasing::new(plan, settings, light, truth))
     }
 
-    /// Makes shadows as `settings` say from now on.
+    /// Takes over the settings that shadows are made with from now on.
     pub(crate) fn use_settings(&mut self, settings: &Settings) -> Result<(), LabError> {
         if self.renderer.shadows().settings() != settings {
             self.renderer.set_settings(settings.clone())?;
@@ -220,8 +193,8 @@ impl<'a> Laboratory<'a> {
         world
     }
 
-    /// The picture with true shadows. Where a light is not judged, its shadows are as claimed; pixels where none is
-    /// judged are as in `shaded`.
+    /// The picture with true shadows. Where a light is not judged, its shadows are as they were drawn; pixels where
+    /// none is judged are as in `shaded`.
     fn true_picture(
         &mut self,
         frame: &Frame,
@@ -229,13 +202,13 @@ impl<'a> Laboratory<'a> {
         visibility: &[Vec<f32>],
         shaded: &Picture,
     ) -> Result<Picture, LabError> {
-        let known = |(pixel, claimed): (&Pixel, &f32)| match pixel {
+        let known = |(pixel, drawn): (&Pixel, &f32)| match pixel {
             Pixel::Lit => 1.0,
             Pixel::Shadowed => 0.0,
-            Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => *claimed,
+            Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => *drawn,
         };
         let lights = traced.iter().zip(visibility);
-        let given = lights.flat_map(|(traced, claimed)| traced.truth.pixels.iter().zip(claimed).map(known));
+        let given = lights.flat_map(|(traced, drawn)| traced.truth.pixels.iter().zip(drawn).map(known));
         let picture = self.picture(frame, Show::Given(given.collect()))?;
         let is_judged = |i: usize| traced.iter().any(|traced| traced.truth.pixels[i].is_judged());
         let pixels = picture.rgba.as_chunks::<4>().0.iter().zip(shaded.rgba.as_chunks::<4>().0);
@@ -245,65 +218,29 @@ impl<'a> Laboratory<'a> {
     }
 
     fn picture(&mut self, frame: &Frame, show: Show) -> Result<Picture, LabError> {
-        self.renderer.render(&Frame { show, ..frame.clone() })?;
-        Ok(self.renderer.picture()?)
+        Ok(self.renderer.render(&Frame { show, ..frame.clone() })?.drawn.picture()?)
     }
 
-    /// Of each lamp, the visibility of every pixel.
+    /// The visibility of every pixel, one list for each light.
     fn visibility(&mut self, frame: &Frame, area: Option<Area>) -> Result<Vec<Vec<f32>>, LabError> {
-        let of_lamp = |lamp| match area {
-            None => Ok(grey(&self.picture(frame, Show::Visibility(lamp))?)),
-            Some(area) => Ok(self.renderer.area(frame, lamp, area)?.visibility),
+        let of_light = |light| match area {
+            None => Ok(self.picture(frame, Show::Visibility(light))?.visibility()),
+            Some(area) => Ok(self.renderer.area(frame, light, area)?.visibility),
         };
-        (0..frame.lamps.len()).map(of_lamp).collect()
+        (0..frame.lights.len()).map(of_light).collect()
     }
 
-    /// Times of `frames` frames, each with all samples of all lamps where those have some size.
+    /// Times of `frames` frames, each with all samples of all lights where those have some size.
     fn times(&mut self, frame: &Frame, area: Option<Area>, frames: u32) -> Result<Vec<FrameTimes>, LabError> {
         let once = |_| {
             let Some(area) = area else { return Ok(self.renderer.render(frame)?.times) };
             let mut times = FrameTimes::default();
-            for lamp in 0..frame.lamps.len() {
-                times += self.renderer.area(frame, lamp, area)?.times;
+            for light in 0..frame.lights.len() {
+                times += self.renderer.area(frame, light, area)?.times;
             }
             Ok(times)
         };
         (0..frames).map(once).collect()
-    }
-}
-
-impl Shot {
-    /// The frame that shows it, one sample a pixel.
-    ///
-    /// # Errors
-    /// When the camera or a light cannot be used.
-    pub fn frame(&self, show: Show) -> Result<Frame, RenderError> {
-        let Self { camera, lights, seconds, width, height } = self;
-        let lamps = lights.iter().map(|light| lamp(light, *seconds));
-        Ok(Frame {
-            camera: umbrage_render::camera(camera, *width as f32 / *height as f32)?,
-            planned_for: None,
-            lamps: lamps.collect::<Result<_, RenderError>>()?,
-            seconds: *seconds,
-            width: *width,
-            height: *height,
-            samples: 1,
-            show,
-        })
-    }
-}
-
-impl Milliseconds {
-    /// Of every timed frame.
-    pub fn of(times: &[FrameTimes]) -> Self {
-        let of = |pick: fn(&FrameTimes) -> f64| Spread::of(times.iter().map(pick).collect());
-        Self {
-            plan: of(|t| t.plan),
-            casters: of(|t| t.casters),
-            filter: of(|t| t.filter),
-            shade: of(|t| t.shade),
-            frame: of(|t| t.frame),
-        }
     }
 }
 
@@ -322,9 +259,4 @@ fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
 #[cfg(target_arch = "wasm32")]
 fn flip(_reference: &Picture, _test: &Picture) -> Option<f64> {
     None
-}
-
-/// Visibility of every pixel, from its grey.
-fn grey(picture: &Picture) -> Vec<f32> {
-    picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect()
 }

@@ -1,10 +1,10 @@
 //! Experiments on shadows: what is measured, stored, and reported.
 //!
-//! A [`Cell`] is one measurement and everything it depends on: a world, a camera, settings, a repeat. [`Laboratory`]
-//! measures a cell: it draws it, judges it against exact shadows and times it, and gives a [`Measurement`]. An
-//! [`Experiment`] is a file that says which cells to measure and what its source claimed of them. [`Store`] keeps each
-//! cell's result under a hash of its inputs, so that nothing is measured twice. [`page`] makes of it all one HTML file
-//! that needs nothing else.
+//! A [`Run`] is one measurement and everything it depends on: a world, a camera, settings, a repeat. [`Laboratory`]
+//! measures a run: it draws it, judges it against exact shadows and times it, and gives a [`Measurement`]. An
+//! [`Experiment`] is a file that says which runs to measure and what its source claimed of them. [`Store`] keeps each
+//! run's outcome under a hash of its inputs, so that nothing is measured twice. [`page`] makes of it all one HTML file
+//! that needs nothing else, and beside it verdicts, tables and plots as files.
 //!
 //! This crate does not: know how shadows are made or judged, parse a command line, or print.
 
@@ -17,7 +17,6 @@ pub mod page;
 pub mod settings;
 pub mod tabulate;
 
-mod cell;
 mod error;
 mod experiment;
 mod flicker;
@@ -25,15 +24,21 @@ mod judgement;
 mod laboratory;
 mod measure;
 mod measurement;
+mod path;
+mod rows;
 mod run;
+mod shot;
 mod store;
+mod truth_kind;
 mod truths;
 
-pub use cell::{AreaLight, Cell, Motion, SUB_PIXELS, SmoothTruth};
 pub use error::LabError;
-pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Way};
-pub use flicker::Watch;
-pub use laboratory::{Judged, Laboratory, Shot, TruthKind};
+pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Variant};
+pub use laboratory::{Judged, Laboratory};
 pub use measurement::{Machine, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts};
-pub use run::{Row, run};
+pub use path::{Motion, Watch};
+pub use rows::{Row, measure_all};
+pub use run::{AreaLight, Run};
+pub use shot::Shot;
 pub use store::Store;
+pub use truth_kind::{SUB_PIXELS, SmoothTruth, TruthKind};

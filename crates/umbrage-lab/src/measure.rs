@@ -1,4 +1,4 @@
-//! Measures a cell of an experiment.
+//! Measures a run of an experiment.
 
 use std::io::Cursor;
 
@@ -8,13 +8,15 @@ use image::{ExtendedColorType, ImageEncoder as _};
 use umbrage_render::{Gpu, Picture};
 use umbrage_scene::Scene;
 
-use crate::cell::{AreaLight, Cell};
 use crate::error::LabError;
-use crate::laboratory::{Laboratory, Shot, TruthKind};
+use crate::laboratory::Laboratory;
 use crate::measurement::{Machine, Outcome, Pictures};
+use crate::run::{AreaLight, Run};
+use crate::shot::Shot;
+use crate::truth_kind::TruthKind;
 
 impl Machine {
-    /// This one.
+    /// Describes the machine that the program runs on, and the device that draws.
     pub fn here(gpu: &Gpu) -> Self {
         Self {
             adapter: gpu.adapter.to_string(),
@@ -27,29 +29,29 @@ impl Machine {
 }
 
 impl Laboratory<'_> {
-    /// What a cell comes to. Its world must be this laboratory's.
+    /// Measures a run. Its world must be this laboratory's.
     ///
     /// # Errors
-    /// As [`Laboratory::judge`]; and where the world has no such camera or no light.
-    pub fn measure(&mut self, cell: &Cell) -> Result<Outcome, LabError> {
-        let shot = shot(self.scene(), cell)?;
-        let area = cell.area.as_ref().map(AreaLight::area).transpose()?;
-        let mut judged = self.judge(&shot, &cell.settings, area, TruthKind::Hard, cell.frames)?;
-        for truth in &cell.truths {
-            let deviation = self.deviation(&shot, &judged, truth.kind(cell.light_points));
+    /// As [`Laboratory::judge`], and when the world has no such camera or no light.
+    pub fn measure(&mut self, run: &Run) -> Result<Outcome, LabError> {
+        let shot = shot(self.scene(), run)?;
+        let area = run.area.as_ref().map(AreaLight::area).transpose()?;
+        let mut judged = self.judge(&shot, &run.settings, area, TruthKind::Hard, run.frames)?;
+        for truth in &run.truths {
+            let deviation = self.deviation(&shot, &judged, truth.kind(run.light_points));
             *judged.measurement.deviation_mut(*truth) = deviation;
         }
-        if let Some(motion) = cell.motion {
-            judged.measurement.flicker = Some(self.flicker(&shot, &cell.settings, motion, cell.watch)?);
+        if let Some(motion) = run.motion {
+            judged.measurement.flicker = Some(self.flicker(&shot, &run.settings, motion, run.watch)?);
         }
-        let pictures = cell.pictures.then(|| Pictures::of(&judged.shaded, &judged.heat_map)).transpose()?;
+        let pictures = run.pictures.then(|| Pictures::of(&judged.shaded, &judged.heat_map)).transpose()?;
         Ok(Outcome { machine: Machine::here(self.gpu()), measurement: judged.measurement, pictures })
     }
 }
 
-/// The picture that a cell wants taken.
-fn shot(scene: &Scene, cell: &Cell) -> Result<Shot, LabError> {
-    let Cell { camera, repeat, size: [width, height], .. } = cell;
+/// The picture that a run wants taken.
+fn shot(scene: &Scene, run: &Run) -> Result<Shot, LabError> {
+    let Run { camera, repeat, size: [width, height], .. } = run;
     let missing = |what: String| LabError::Missing { what, world: scene.name.clone() };
     let named = scene.cameras.iter().find(|it| it.name == *camera);
     let camera = named.ok_or_else(|| missing(format!("camera called `{camera}`")))?;

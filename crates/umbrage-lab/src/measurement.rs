@@ -1,60 +1,61 @@
-//! What comes of measuring: the figures of one cell, as they are stored, and as `umbrage measure --json` prints them.
+//! What comes of measuring: the figures of one run, as they are stored, and as `umbrage measure --json` prints them.
 
 use serde::{Deserialize, Serialize};
 use umbrage::Settings;
 use umbrage_judge::statistics::Spread;
 use umbrage_judge::temporal::Flicker;
 use umbrage_judge::{DepthBand, Deviation, Error};
+use umbrage_render::FrameTimes;
 
 use crate::aliasing::AliasingSummary;
-use crate::cell::SmoothTruth;
+use crate::truth_kind::SmoothTruth;
 
-/// The figures of one picture, or of one path.
+/// A measurement is the figures of one picture, or of one path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// The world's name.
     pub world: String,
-    /// Triangles of it, instances counted each.
+    /// The number of triangles of the world; those of an instance count each time it is placed.
     pub triangles: usize,
     /// The camera's name.
     pub camera: String,
-    /// Width of the picture, pixels.
+    /// The width of the picture, in pixels.
     pub width: u32,
-    /// Height of the picture, pixels.
+    /// The height of the picture, in pixels.
     pub height: u32,
-    /// What drew it.
+    /// The adapter that drew the picture.
     pub adapter: String,
-    /// How its shadows were made.
+    /// The settings that its shadows were made with.
     pub settings: Settings,
-    /// Texels of all shadow maps.
+    /// The number of texels of all shadow maps.
     pub texels: u64,
-    /// Bytes of all shadow maps, and of what is made of them to be read.
+    /// The bytes of all shadow maps, and of what is made of them to be read.
     pub bytes: u64,
-    /// What the truth says.
+    /// The counts of the truth.
     pub truth: TruthCounts,
-    /// How wrong the picture is, all lights together; absent where no pixel is judged.
+    /// The error of the picture, all lights together; absent where no pixel is judged.
     pub error: Option<Error>,
-    /// How far visibility is from the mean over each pixel's area; absent where that was not asked for.
+    /// The deviation of visibility from the mean over each pixel's area; absent where that was not asked for.
     pub sub_pixel: Option<Deviation>,
-    /// How far it is from shadows of the sun's size; absent where that was not asked for.
+    /// The deviation of visibility from the shadows of a sun as wide as ours; absent where that was not asked for.
     pub sun: Option<Deviation>,
-    /// How far it is from shadows of a sun ten times as wide; absent where that was not asked for.
+    /// The deviation of visibility from the shadows of a sun of 5°; absent where that was not asked for.
     pub wide_sun: Option<Deviation>,
-    /// `error` light by light.
+    /// The same figures light by light.
     pub lights: Vec<MeasuredLight>,
-    /// How large the first light's texels look; absent where none is read.
+    /// How large the texels of the first light look; absent where none is read.
     pub aliasing: Option<AliasingSummary>,
-    /// FLIP between the shaded picture and the same picture with true shadows; absent where no pixel is judged.
+    /// The FLIP error between the shaded picture and the same picture with true shadows; absent where no pixel is judged.
     pub flip: Option<f64>,
-    /// What is wrong in each split's slice of depth. With `select = "map"` a finer view may have served part of it.
+    /// The errors in each split's slice of depth. With `select = "map"` a finer view may have served part of it.
     pub splits: Vec<DepthBand>,
-    /// What is wrong just before and just after each cut between two splits: within a quarter of its depth.
+    /// The errors just before and just after each cut between two splits: within a quarter of its depth.
     pub around_cuts: Vec<[DepthBand; 2]>,
-    /// Stage times; absent where nothing was timed.
+    /// The times of a frame's stages; absent where nothing was timed.
     pub milliseconds: Option<Milliseconds>,
-    /// Every timed frame, in order: plan, casters, shade, frame, filter.
+    /// The times of every timed frame in milliseconds, in order: plan, casters, shade, frame, filter.
     pub every_frame: Vec<[f64; 5]>,
-    /// How unsteady shadows are along a path; absent for a single picture.
+    /// How unsteady shadows are along the path; absent for a single picture.
     pub flicker: Option<Flicker>,
 }
 
@@ -69,81 +70,97 @@ impl Measurement {
     }
 }
 
-/// What one light's shadows came to.
+/// The figures of one light's shadows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredLight {
     /// The light's name.
     pub name: String,
-    /// What the truth says of it.
+    /// The counts of the truth by this light.
     pub truth: TruthCounts,
-    /// How wrong its shadows are; absent where it shines on nothing in sight.
+    /// The error of its shadows; absent where the light shines on nothing in sight.
     pub error: Option<Error>,
-    /// How large its texels look; absent where none is read.
+    /// How large the light's texels look; absent where none is read.
     pub aliasing: Option<AliasingSummary>,
 }
 
-/// What the truth says of a picture; of several lights, of all together.
+/// The counts of a picture's truth; those of several lights are added up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TruthCounts {
-    /// Pixels that are judged: they show a surface that faces the light, within the shadows' distance, and are sure.
+    /// The number of judged pixels: they show a surface that faces the light, within the shadows' distance, and their truth
+    /// is sure.
     pub pixels: usize,
-    /// Pixels left out because their truth depends on rounding.
+    /// The number of pixels left out because their truth depends on rounding.
     pub ambiguous: usize,
-    /// Judged pixels that are truly shadowed.
+    /// The number of judged pixels that are truly shadowed.
     pub shadowed: usize,
-    /// Length of all true shadow edges, pixels.
+    /// The length of all true shadow edges, in pixels.
     pub edge_px: f64,
-    /// Of soft truth: the mean standard error of a pixel's visibility, which is how far its points were too few. Else 0.
+    /// The mean standard error of a pixel's visibility in a soft truth, which says how far its points were too few; 0 for
+    /// any other truth.
     pub standard_error: f64,
 }
 
-/// How long the stages of a frame take.
+/// The times of a frame's stages, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Milliseconds {
-    /// Planning, culling and upload, on the CPU.
+    /// The time of planning, culling and upload, on the CPU.
     pub plan: Spread,
-    /// All caster passes.
+    /// The time of all caster passes.
     pub casters: Spread,
-    /// What makes of the maps what lookups read: moments, blurs, sums.
+    /// The time that it takes to make of the maps what lookups read: moments, blurs, sums.
     #[serde(default)]
     pub filter: Spread,
-    /// The shading pass.
+    /// The time of the shading pass.
     pub shade: Spread,
-    /// The whole frame, by the wall clock.
+    /// The time of the whole frame, by the wall clock.
     pub frame: Spread,
 }
 
-/// Where a result was made.
+impl Milliseconds {
+    /// Summarises the times of every timed frame.
+    pub fn of(times: &[FrameTimes]) -> Self {
+        let of = |pick: fn(&FrameTimes) -> f64| Spread::of(times.iter().map(pick).collect());
+        Self {
+            plan: of(|t| t.plan),
+            casters: of(|t| t.casters),
+            filter: of(|t| t.filter),
+            shade: of(|t| t.shade),
+            frame: of(|t| t.frame),
+        }
+    }
+}
+
+/// The machine that a result was made on.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Machine {
-    /// The graphics adapter, its backend and driver.
+    /// The graphics adapter, with its backend and driver.
     pub adapter: String,
-    /// Whether the device timed the passes; otherwise the wall clock did.
+    /// Whether the device timed the passes; if not, the wall clock did.
     pub timestamps: bool,
-    /// Operating system and processor architecture.
+    /// The operating system and the processor's architecture.
     pub system: String,
-    /// How many threads run at once.
+    /// The number of threads that run at once.
     pub cores: usize,
-    /// The commit of this program.
+    /// The commit that the program was built from.
     pub commit: String,
 }
 
-/// The pictures of a cell, as encoded files.
+/// The pictures of a run, as encoded files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pictures {
-    /// The shaded picture, JPEG.
+    /// The shaded picture, as JPEG.
     pub shaded: Vec<u8>,
-    /// The error heat map, PNG: grey where right, orange where falsely shadowed, blue where falsely lit.
+    /// The error heat map, as PNG: grey where right, orange where falsely shadowed, blue where falsely lit.
     pub error: Vec<u8>,
 }
 
-/// What a cell came to.
+/// The outcome of a run: what was measured, and on which machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Where.
+    /// The machine that measured.
     pub machine: Machine,
     /// The figures.
     pub measurement: Measurement,
-    /// Where pictures were wanted.
+    /// The pictures, where they were asked for.
     pub pictures: Option<Pictures>,
 }

@@ -6,34 +6,34 @@ use umbrage::{PRESETS, Preset, Settings, SettingsError};
 /// No setting lies deeper than `filter.size`; a little more, so that the error can say which key it does not know.
 const DEEPEST: usize = 4;
 
-/// What is wrong with settings, in one line that names the key.
+/// A fault in settings, in one line that names the key.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum WrongSettings {
-    /// There is no such preset.
+    /// No preset has that name.
     #[error("no preset is called `{0}`; there are {list}", list = presets())]
     Preset(String),
-    /// Words without a value.
+    /// The words have no `=` between a key and a value.
     #[error("`{0}` should be key=value, as splits=3")]
     Words(String),
-    /// A key whose names cannot be those of a setting.
+    /// The key cannot be that of a setting: one of its names is empty, or it has too many.
     #[error("`{0}` should be a key, as lambda or filter.size: it has an empty key, or too many")]
     Key(String),
-    /// A key that does not exist, or a value of another kind.
+    /// The key does not exist, or its value is of another kind.
     #[error("settings, `{key}`: {wrong}")]
     Value {
-        /// The setting, levels parted by dots.
+        /// The key of the setting; dots part levels.
         key: String,
-        /// What is wrong with it, and what would be right.
+        /// What is wrong with the value, and what would be right.
         wrong: String,
     },
-    /// A value outside its range.
+    /// The value is outside its range.
     #[error(transparent)]
     Range(#[from] SettingsError),
 }
 
 impl WrongSettings {
-    /// The setting at fault, levels parted by dots; empty where it is none in particular.
+    /// Returns the key of the setting at fault, with dots between levels; empty where it is none in particular.
     pub fn key(&self) -> &str {
         match self {
             Self::Preset(_) | Self::Words(_) => "",
@@ -49,17 +49,17 @@ fn presets() -> String {
     PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ")
 }
 
-/// A preset's settings, as a table to lay others over.
+/// Returns the settings of a preset, as a table to lay others over.
 ///
 /// # Errors
-/// When there is no such preset.
+/// When no preset has that name.
 pub fn preset(name: &str) -> Result<Table, WrongSettings> {
     let preset = Preset::named(name).ok_or_else(|| WrongSettings::Preset(name.to_owned()))?;
     Table::try_from((preset.settings)())
         .map_err(|why| WrongSettings::Value { key: name.to_owned(), wrong: one_line(why) })
 }
 
-/// `a.b=value` as a table. A value that is not TOML is a word.
+/// Reads `a.b=value` as a table. A value that is not TOML is taken for text.
 ///
 /// # Errors
 /// When there is no `=`, or what is before it is no key.
@@ -70,7 +70,7 @@ pub fn from_words(words: &str) -> Result<Table, WrongSettings> {
     from_key(key.trim(), parsed.unwrap_or_else(|| Value::String(value.to_owned())))
 }
 
-/// A value under the key `a.b`, as a table.
+/// Puts a value under the key `a.b` of a table.
 ///
 /// # Errors
 /// When the key has an empty name in it, or more names than a setting has.
@@ -88,7 +88,7 @@ pub fn from_key(key: &str, mut value: Value) -> Result<Table, WrongSettings> {
     Ok(Table::from_iter([((*first).to_owned(), value)]))
 }
 
-/// Lays `over` onto `table`. Tables are merged, but one with another `kind` replaces what was there.
+/// Lays `over` onto `table`. Tables are merged, but a table with another `kind` replaces what was there.
 pub fn overlay(table: &mut Table, over: Table) {
     for (key, value) in over {
         match (table.get_mut(&key), value) {
@@ -106,10 +106,10 @@ pub fn overlay(table: &mut Table, over: Table) {
     }
 }
 
-/// The settings that a table holds, checked.
+/// Reads and checks the settings that a table holds.
 ///
 /// # Errors
-/// The first key that is unknown or whose value is of another kind or out of range.
+/// When a key is unknown, or its value is of another kind or out of range: the first such key.
 pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
     let settings: Settings = table.try_into().map_err(|why: toml::de::Error| {
         let (key, wrong) = fault(why);
@@ -124,10 +124,10 @@ pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
     Ok(settings)
 }
 
-/// A preset's settings with `key=value` over them, one after the other, checked.
+/// Reads and checks the settings of a preset with `key=value` over them, one after the other.
 ///
 /// # Errors
-/// What is wrong first.
+/// When the preset, a key or a value is wrong: the first of them.
 pub fn asked(name: &str, words: &[impl AsRef<str>]) -> Result<Settings, WrongSettings> {
     let mut table = preset(name)?;
     for words in words {

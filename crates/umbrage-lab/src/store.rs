@@ -1,6 +1,6 @@
 //! Results that are kept, so that nothing is measured twice.
 //!
-//! A result lies in `cells/<hash>.json` below the store's folder, its pictures beside it; the hash is that of the cell,
+//! A result lies in `runs/<hash>.json` below the store's folder, its pictures beside it; the hash is that of the run,
 //! so of all inputs. Each result carries a checksum of itself and of its pictures: what was cut off, changed or
 //! confused with another is as if it were not there, and is made again.
 //!
@@ -13,19 +13,19 @@ use std::path::{Path, PathBuf};
 use serde::ser::Error as _;
 use serde::{Deserialize, Serialize};
 
-use crate::files::{self, hash};
-use crate::{Cell, LabError, Machine, Measurement, Outcome, Pictures};
+use crate::files::{self, hash, make_folder};
+use crate::{LabError, Machine, Measurement, Outcome, Pictures, Run};
 
-/// A folder of results.
+/// A store is a folder of outcomes that are kept.
 #[derive(Clone, Debug)]
 pub struct Store {
-    cells: PathBuf,
+    runs: PathBuf,
 }
 
 /// What a result's file holds.
 #[derive(PartialEq, Serialize, Deserialize)]
 struct Stored {
-    cell: Cell,
+    run: Run,
     machine: Machine,
     measurement: Measurement,
     pictures: Option<PictureHashes>,
@@ -38,24 +38,24 @@ struct PictureHashes {
 }
 
 impl Store {
-    /// The store in a folder, which is made where it is not there.
+    /// Opens the store in a folder, which is made where it is not there.
     ///
     /// # Errors
     /// When the folder cannot be made or written to, so that this is known before anything is measured.
     pub fn open(folder: &Path) -> Result<Self, LabError> {
         make_folder(folder)?;
-        let cells = folder.join("cells");
-        files::check_writable(if cells.exists() { &cells } else { folder })?;
-        Ok(Self { cells })
+        let runs = folder.join("runs");
+        files::check_writable(if runs.exists() { &runs } else { folder })?;
+        Ok(Self { runs })
     }
 
-    /// A cell's result; `None` where there is none, or it is not as it was when it was put there.
-    pub fn get(&self, cell: &Cell) -> Option<Outcome> {
-        let key = key(cell).ok()?;
+    /// Returns the outcome of a run; `None` where there is none, or it is not as it was when it was put there.
+    pub fn get(&self, run: &Run) -> Option<Outcome> {
+        let key = key(run).ok()?;
         let text = fs::read_to_string(self.path(&key, "json")).ok()?;
-        let Stored { cell: stored, machine, measurement, pictures } =
+        let Stored { run: stored, machine, measurement, pictures } =
             serde_json::from_str(opened(&text)?).ok()?;
-        if stored != *cell {
+        if stored != *run {
             return None;
         }
         let picture = |extension: &str, wanted: &str| {
@@ -70,15 +70,15 @@ impl Store {
         Some(Outcome { machine, measurement, pictures })
     }
 
-    /// Keeps a cell's result. Pictures come first: a result counts when its JSON is there.
+    /// Keeps the outcome of a run. Pictures are written first: an outcome counts once its JSON is there.
     ///
     /// # Errors
-    /// When a file cannot be written, or the result holds a number that JSON cannot: NaN or infinity.
-    pub fn put(&self, cell: &Cell, outcome: &Outcome) -> Result<(), LabError> {
+    /// When a file cannot be written, or the outcome holds a number that JSON does not have: NaN or infinity.
+    pub fn put(&self, run: &Run, outcome: &Outcome) -> Result<(), LabError> {
         let Outcome { machine, measurement, pictures } = outcome;
-        let key = key(cell)?;
+        let key = key(run)?;
         let stored = Stored {
-            cell: cell.clone(),
+            run: run.clone(),
             machine: machine.clone(),
             measurement: measurement.clone(),
             pictures: pictures
@@ -91,7 +91,7 @@ impl Store {
             let why = "it holds a number that is not finite";
             return Err(LabError::Json(serde_json::Error::custom(why)));
         }
-        make_folder(&self.cells)?;
+        make_folder(&self.runs)?;
         if let Some(Pictures { shaded, error }) = pictures {
             files::write(&self.path(&key, "jpg"), shaded)?;
             files::write(&self.path(&key, "png"), error)?;
@@ -100,18 +100,13 @@ impl Store {
     }
 
     fn path(&self, key: &str, extension: &str) -> PathBuf {
-        self.cells.join(format!("{key}.{extension}"))
+        self.runs.join(format!("{key}.{extension}"))
     }
 }
 
-/// The hash of all that a cell holds. Fields are written in the order they are declared in, and there are no maps.
-fn key(cell: &Cell) -> Result<String, LabError> {
-    Ok(hash(serde_json::to_string(cell)?.as_bytes()))
-}
-
-fn make_folder(folder: &Path) -> Result<(), LabError> {
-    let failed = |source| LabError::File { action: "write", path: folder.to_owned(), source };
-    fs::create_dir_all(folder).map_err(failed)
+/// The hash of all that a run holds. Fields are written in the order they are declared in, and there are no maps.
+fn key(run: &Run) -> Result<String, LabError> {
+    Ok(hash(serde_json::to_string(run)?.as_bytes()))
 }
 
 /// A result with its checksum before it. The checksum is of the very bytes, so that it holds for all of them.

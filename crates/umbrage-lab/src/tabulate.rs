@@ -5,31 +5,31 @@ use std::collections::BTreeMap;
 use umbrage_judge::statistics::{Interval, Spread};
 
 use crate::figures::{self, Figure};
-use crate::{Experiment, Measurement, Motion, Row, Way};
+use crate::{Experiment, Measurement, Motion, Row, Variant};
 
-/// Everything measured of one way, value, world, camera and motion: a repeat each.
+/// A group is everything that was measured of one variant, value, world, camera and motion: one row for each repeat.
 #[derive(Clone, Debug)]
 pub struct Group<'a> {
-    /// Index into [`Experiment::ways`].
-    pub way: usize,
-    /// The value of the way's sweep; `None` where it has none.
+    /// The index of the variant in [`Experiment::variants`].
+    pub variant: usize,
+    /// The value of the variant's sweep; `None` where the variant has no sweep.
     pub swept: Option<&'a toml::Value>,
-    /// Which world.
+    /// The name or path of the world.
     pub world: &'a str,
-    /// Which camera of it.
+    /// The name of the camera.
     pub camera: &'a str,
-    /// Which path; `None` for a single picture.
+    /// The path; `None` for a single picture.
     pub motion: Option<Motion>,
-    /// By rising repeat.
+    /// The rows, by rising repeat.
     pub rows: Vec<&'a Row>,
     samples: BTreeMap<&'static str, Vec<(u32, f64)>>,
 }
 
-/// Groups in the experiment's order: worlds, cameras, motions, ways, values. Rows of no way of the experiment are left
-/// out.
+/// Groups rows in the experiment's order: worlds, cameras, motions, variants, values. Rows of a variant that the experiment
+/// does not have are left out.
 pub fn groups<'a>(experiment: &Experiment, rows: &'a [Row]) -> Vec<Group<'a>> {
-    let mut sorted: Vec<&Row> = rows.iter().filter(|row| row.way < experiment.ways.len()).collect();
-    sorted.sort_by_cached_key(|row| (place(experiment, row), row.cell.repeat));
+    let mut sorted: Vec<&Row> = rows.iter().filter(|row| row.variant < experiment.variants.len()).collect();
+    sorted.sort_by_cached_key(|row| (place(experiment, row), row.run.repeat));
     sorted
         .chunk_by(|a, b| place(experiment, a) == place(experiment, b))
         .filter_map(|rows| rows.first().map(|first| Group::of(first, rows)))
@@ -38,20 +38,20 @@ pub fn groups<'a>(experiment: &Experiment, rows: &'a [Row]) -> Vec<Group<'a>> {
 
 /// Where a row's group stands. Names follow their index, for what the experiment does not name.
 fn place(experiment: &Experiment, row: &Row) -> (usize, String, usize, String, usize, usize, usize, String) {
-    let cell = &row.cell;
+    let run = &row.run;
     let index =
         |names: &[String], name: &str| names.iter().position(|other| other == name).unwrap_or(names.len());
-    let motion = cell.motion.map_or(0, |motion| 1 + motion as usize);
-    let sweep = experiment.ways.get(row.way).and_then(|way| way.sweep.as_ref());
+    let motion = run.motion.map_or(0, |motion| 1 + motion as usize);
+    let sweep = experiment.variants.get(row.variant).and_then(|variant| variant.sweep.as_ref());
     let value =
         sweep.and_then(|sweep| sweep.values.iter().position(|value| Some(value) == row.swept.as_ref()));
     (
-        index(&experiment.worlds, &cell.world),
-        cell.world.clone(),
-        index(&experiment.cameras, &cell.camera),
-        cell.camera.clone(),
+        index(&experiment.worlds, &run.world),
+        run.world.clone(),
+        index(&experiment.cameras, &run.camera),
+        run.camera.clone(),
         motion,
-        row.way,
+        row.variant,
         value.unwrap_or(usize::MAX),
         row.swept.as_ref().map(value_text).unwrap_or_default(),
     )
@@ -62,42 +62,42 @@ impl<'a> Group<'a> {
         let mut samples: BTreeMap<&'static str, Vec<(u32, f64)>> = BTreeMap::new();
         for row in rows {
             for (figure, value) in figures::values(&row.outcome.measurement) {
-                samples.entry(figure.key).or_default().push((row.cell.repeat, value));
+                samples.entry(figure.key).or_default().push((row.run.repeat, value));
             }
         }
         Self {
-            way: first.way,
+            variant: first.variant,
             swept: first.swept.as_ref(),
-            world: &first.cell.world,
-            camera: &first.cell.camera,
-            motion: first.cell.motion,
+            world: &first.run.world,
+            camera: &first.run.camera,
+            motion: first.run.motion,
             rows: rows.to_vec(),
             samples,
         }
     }
 
-    /// The samples of a figure, each with its repeat, by rising repeat. Repeats without the figure are left out.
+    /// Returns the samples of a figure, each with its repeat, by rising repeat. Repeats without the figure are left out.
     pub fn samples(&self, key: &str) -> &[(u32, f64)] {
         self.samples.get(key).map_or(&[], Vec::as_slice)
     }
 
-    /// The figure over the repeats; `None` where no repeat has it.
+    /// Returns the interval of a figure over the repeats; `None` where no repeat has the figure.
     pub fn interval(&self, key: &str) -> Option<Interval> {
         let samples = self.samples(key);
         (!samples.is_empty()).then(|| Interval::of(samples.iter().map(|(_, value)| *value).collect()))
     }
 
-    /// The spread of a timed figure over the frames of the first repeat that was timed.
+    /// Returns the spread of a timed figure over the frames of the first repeat that was timed; `None` where none was.
     pub fn spread(&self, figure: &Figure) -> Option<Spread> {
         self.rows.iter().find_map(|row| figure.spread_of(&row.outcome.measurement))
     }
 
-    /// Whether any repeat has a pixel that is judged.
+    /// Whether any repeat has a judged pixel.
     pub fn is_judged(&self) -> bool {
         self.measurements().any(|measurement| measurement.error.is_some())
     }
 
-    /// What was measured, by rising repeat.
+    /// Returns what was measured, by rising repeat.
     pub fn measurements(&self) -> impl Iterator<Item = &'a Measurement> {
         self.rows.iter().map(|row| &row.outcome.measurement)
     }
@@ -107,11 +107,11 @@ impl<'a> Group<'a> {
         (self.world, self.camera, self.motion) == (other.world, other.camera, other.motion)
     }
 
-    /// The way's name, with the swept value where there is one.
+    /// Returns the variant's name, with the swept value where there is one.
     pub fn name(&self, experiment: &Experiment) -> String {
-        let way = experiment.ways.get(self.way);
-        let name = way.map_or("", |way| way.name.as_str());
-        match (way.and_then(|way| way.sweep.as_ref()), self.swept) {
+        let variant = experiment.variants.get(self.variant);
+        let name = variant.map_or("", |variant| variant.name.as_str());
+        match (variant.and_then(|variant| variant.sweep.as_ref()), self.swept) {
             (Some(sweep), Some(value)) => format!("{name}, {} = {}", sweep.key, value_text(value)),
             (None, Some(value)) => format!("{name}, {}", value_text(value)),
             (_, None) => name.to_owned(),
@@ -119,19 +119,19 @@ impl<'a> Group<'a> {
     }
 }
 
-/// A value and how far it is trusted.
+/// A mean with the interval that it is trusted within.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean {
-    /// The mean.
+    /// The mean itself.
     pub value: f64,
-    /// The interval's lower end; for times, the 5th percentile.
+    /// The lower end of the interval; for times, the 5th percentile.
     pub low: f64,
-    /// The interval's upper end; for times, the 95th percentile.
+    /// The upper end of the interval; for times, the 95th percentile.
     pub high: f64,
 }
 
 impl Mean {
-    /// The mean of a figure over groups, each of them counting the same. The groups are independent of each other, so
+    /// Computes the mean of a figure over groups, each of which counts the same. The groups are independent of each other, so
     /// the half width of the whole is the root of the summed squares of theirs, divided by their number. `None` where no
     /// group has the figure.
     pub fn over(groups: &[&Group], figure: &Figure) -> Option<Self> {
@@ -151,12 +151,12 @@ impl Mean {
     }
 }
 
-/// A swept value as a page writes it: text without its quotes.
+/// Writes a swept value as a page shows it: text without its quotes.
 pub fn value_text(value: &toml::Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// What a path is called, with its number in the specification.
+/// Returns the name of a path, with its number in the specification.
 pub fn motion_text(motion: Motion) -> &'static str {
     match motion {
         Motion::Translate => "T1 translate",
@@ -169,8 +169,8 @@ pub fn motion_text(motion: Motion) -> &'static str {
     }
 }
 
-/// The ways of some groups, each once, by their index.
-pub(crate) fn ways_of<'e>(experiment: &'e Experiment, groups: &[&Group]) -> Vec<(usize, &'e Way)> {
-    let present = |index: usize| groups.iter().any(|group| group.way == index);
-    experiment.ways.iter().enumerate().filter(|(index, _)| present(*index)).collect()
+/// The variants of some groups, each once, by their index.
+pub(crate) fn variants_of<'e>(experiment: &'e Experiment, groups: &[&Group]) -> Vec<(usize, &'e Variant)> {
+    let present = |index: usize| groups.iter().any(|group| group.variant == index);
+    experiment.variants.iter().enumerate().filter(|(index, _)| present(*index)).collect()
 }

@@ -1,10 +1,11 @@
-//! What is true of a shot: traced once, and kept while one way after another is judged by it.
+//! What is true of a shot: traced once, and kept while one variant after another is judged by it.
 
 use std::sync::Arc;
 
 use umbrage_judge::{Edges, Eye, Light, Smooth, Truth, World};
 
-use crate::laboratory::{Shot, TruthKind};
+use crate::shot::Shot;
+use crate::truth_kind::TruthKind;
 
 /// What is true of one light, through pixels' centres.
 #[derive(Debug)]
@@ -34,7 +35,7 @@ impl Truths {
         Arc::clone(&self.of_shot(shot, distance, world).hard)
     }
 
-    /// A truth between lit and shadowed, light by light. `None` of the hard truth, which has nothing between.
+    /// A truth between lit and shadowed, light by light. `None` for the hard truth, which has nothing between.
     pub fn smooth(
         &mut self,
         shot: &Shot,

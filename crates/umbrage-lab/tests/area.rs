@@ -1,34 +1,19 @@
 //! Shadows of lights that have some size: drawn map by map and traced ray by ray, they are the same; and what is said of
 //! filters against such truths.
 
-use glam::{Mat4, Vec3};
+use glam::Vec3;
 use umbrage::{Filter, Settings};
 use umbrage_judge::Deviation;
 use umbrage_lab::{Judged, Laboratory, Shot, TruthKind};
 use umbrage_render::{Area, Gpu};
-use umbrage_scene::{Camera, Instance, Lens, Light, Material, Mesh, Primitive, Scene};
+use umbrage_scene::{Camera, Lens, Light, Scene, plate_over_ground};
 
 /// Degrees that the sun is seen under.
 const DEGREES: f32 = 10.0;
 
 /// A ground of 40 m a side, and a plate of 2 m, 6 m above it: the umbra of a 10° sun is 2 − 6 · 2 tan 5° ≈ 1 m wide.
-fn plate_over_ground() -> Scene {
-    let square = |half: f32, height: f32| Primitive {
-        positions: [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)]
-            .map(|(x, z)| Vec3::new(x * half, height, z * half))
-            .to_vec(),
-        normals: vec![Vec3::Y; 4],
-        uvs: vec![glam::Vec2::ZERO; 4],
-        indices: vec![0, 1, 2, 0, 2, 3],
-        material: 0,
-    };
-    Scene {
-        name: "plate".to_owned(),
-        meshes: vec![Mesh::new("ground", &[square(20.0, 0.0)]), Mesh::new("plate", &[square(1.0, 6.0)])],
-        instances: (0..2).map(|mesh| Instance::still(mesh, Mat4::IDENTITY)).collect(),
-        materials: vec![Material::plain("grey", 0.5, 0.5, 0.5)],
-        ..Scene::default()
-    }
+fn plate() -> Scene {
+    plate_over_ground(40.0, 6.0)
 }
 
 /// 8 m of the ground, from straight above it and under the plate.
@@ -70,7 +55,7 @@ fn judged(scene: &Scene, light: Light, filter: Filter, samples: Option<u32>) -> 
 
 #[test]
 fn many_maps_make_the_shadows_that_rays_to_the_light_make() {
-    let scene = plate_over_ground();
+    let scene = plate();
     for light in lights() {
         let name = light.name.clone();
         let deviation = |samples| judged(&scene, light.clone(), Filter::Hard {}, Some(samples));
@@ -91,7 +76,7 @@ fn many_maps_make_the_shadows_that_rays_to_the_light_make() {
 
 #[test]
 fn a_small_filter_lets_no_light_into_umbrae_and_has_no_penumbra() {
-    let scene = plate_over_ground();
+    let scene = plate();
     let [sun, ..] = lights();
     let (_, pcf) = judged(&scene, sun.clone(), Filter::Pcf { size: 3 }, None);
     let (picture, area) = judged(&scene, sun, Filter::Hard {}, Some(64));

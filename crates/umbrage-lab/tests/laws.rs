@@ -8,10 +8,10 @@
 
 use glam::{DVec2, DVec3, Mat4, Vec3};
 use umbrage::{Bias, Filter, Fit, Lookup, Settings, ShadowPlan};
-use umbrage_judge::temporal::{Anchor, Flicker, Seen};
-use umbrage_judge::{Claim, Edges, Error, Eye, Light, Truth, World};
+use umbrage_judge::temporal::{Anchor, AnchorResult, Flicker};
+use umbrage_judge::{Edges, Error, Eye, Light, ShadowResult, Truth, World};
 use umbrage_lab::{Laboratory, Motion, Shot, Watch};
-use umbrage_render::{Frame, Gpu, Renderer, Show};
+use umbrage_render::{Drawn, Frame, Gpu, Renderer, Show};
 use umbrage_scene::{Camera, Instance, Lens, Light as Lamp, Material, Mesh, Primitive, Scene, worlds};
 
 /// Side of the picture, pixels, and of what it shows, metres.
@@ -64,16 +64,8 @@ fn settings(m: u32) -> Settings {
 }
 
 fn frame(camera: &Camera, width: u32) -> Frame {
-    Frame {
-        camera: umbrage_render::camera(camera, 1.0).expect("a good camera"),
-        lamps: vec![umbrage_render::lamp(&Lamp::sun(Vec3::NEG_Y, 1.0), 0.0).expect("a good sun")],
-        planned_for: None,
-        seconds: 0.0,
-        width,
-        height: width,
-        samples: 1,
-        show: Show::Visibility(0),
-    }
+    let sun = Lamp::sun(Vec3::NEG_Y, 1.0);
+    Frame::of(camera, &[sun], 0.0, [width, width], Show::Visibility(0)).expect("a good camera and sun")
 }
 
 /// The angle of the map's texels to the x axis, degrees, and their size.
@@ -100,8 +92,8 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
         for (diagonal, law) in [(0.0, 0.25), (45.0, 2f64.sqrt() / 6.0)] {
             let probe = half_plane(0.0, 0.0);
             let mut renderer = Renderer::new(&gpu, &probe, stable(m)).expect("a renderer");
-            let plan = renderer.render(&frame(&camera(DVec2::ZERO), 8)).expect("a frame").plan;
-            let (angle, texel) = texels(&plan);
+            let drawn = renderer.render(&frame(&camera(DVec2::ZERO), 8)).expect("a frame").drawn;
+            let (angle, texel) = texels(drawn.plan());
             let texel_px = f64::from(texel) / f64::from(METRES) * f64::from(PIXELS);
             let (mut wrong, mut length) = (0.0, 0.0);
             for edge in 0..EDGES {
@@ -113,9 +105,9 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
                     let share = |step: f64| (0.5 + step * i as f64).fract();
                     let place = DVec2::new(share(0.754_877_666_246_693), share(0.569_840_290_998_053));
                     let camera = camera(place * pixel);
-                    let rendered = renderer.render(&frame(&camera, PIXELS)).expect("a frame");
-                    assert_eq!(texels(&rendered.plan).1, texel, "texels keep their size");
-                    let (truth, edges, error) = judged(&world, &camera, &renderer, texel);
+                    let drawn = renderer.render(&frame(&camera, PIXELS)).expect("a frame").drawn;
+                    assert_eq!(texels(drawn.plan()).1, texel, "texels keep their size");
+                    let (truth, edges, error) = judged(&world, &camera, &drawn, texel);
                     wrong += error.mis_shadowed * truth.judged() as f64;
                     length += edges.length();
                 }
@@ -130,14 +122,13 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
     assert!(off_by_more.is_empty(), "{off_by_more:?}");
 }
 
-/// What is true of the picture that was just drawn, and how wrong it is.
-fn judged(world: &World, camera: &Camera, renderer: &Renderer, texel: f32) -> (Truth, Edges, Error) {
-    let picture = renderer.picture().expect("a picture");
-    let visibility: Vec<f32> = picture.rgba.iter().step_by(4).map(|v| f32::from(*v) / 255.0).collect();
+/// What is true of a picture, and how wrong it is.
+fn judged(world: &World, camera: &Camera, drawn: &Drawn, texel: f32) -> (Truth, Edges, Error) {
+    let visibility = drawn.picture().expect("a picture").visibility();
     let truth = Truth::new(world, &Eye::new(camera, PIXELS, PIXELS), &Light::sun(Vec3::NEG_Y), 100.0);
     let edges = Edges::new(&truth);
-    let claim = Claim { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
-    let error = Error::new(world, &truth, &edges, None, &claim).expect("all is judged");
+    let result = ShadowResult { visibility: &visibility, texel_metres: &vec![texel; visibility.len()] };
+    let error = Error::new(world, &truth, &edges, None, &result).expect("all is judged");
     (truth, edges, error)
 }
 
@@ -148,7 +139,8 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
         let settings = settings(4);
         let probe = half_plane(0.0, 0.0);
         let mut renderer = Renderer::new(&gpu, &probe, settings.clone()).expect("a renderer");
-        let (angle, texel) = texels(&renderer.render(&frame(&camera(DVec2::ZERO), 8)).expect("a frame").plan);
+        let probed = renderer.render(&frame(&camera(DVec2::ZERO), 8)).expect("a frame").drawn;
+        let (angle, texel) = texels(probed.plan());
         let degrees = angle + diagonal;
         let scene = half_plane(degrees, 0.0);
         let mut renderer = Renderer::new(&gpu, &scene, settings.clone()).expect("a renderer");
@@ -167,13 +159,13 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
         // Any two steps of this sequence are as good as independent.
         let phases = (0..640)
             .map(|i| DVec2::new(share(i * i, 0.618_033_988_749_895), share(i * i, 0.414_213_562_373_095)));
-        let claim: Vec<Vec<Seen>> = phases
+        let result: Vec<Vec<AnchorResult>> = phases
             .map(|phase| {
                 let camera = camera(phase * f64::from(8.0 * texel));
-                let plan = renderer.render(&frame(&camera, 1)).expect("a frame").plan;
-                let maps = renderer.maps().expect("maps");
-                let lookup = Lookup { plan: &plan, settings: &settings, maps: &maps };
-                let ask = |a: &Anchor| Seen {
+                let drawn = renderer.render(&frame(&camera, 1)).expect("a frame").drawn;
+                let maps = renderer.maps(&drawn).expect("maps");
+                let lookup = Lookup { plan: drawn.plan(), settings: &settings, maps: &maps };
+                let ask = |a: &Anchor| AnchorResult {
                     visibility: lookup.visibility(0, a.position.as_vec3(), a.normal.as_vec3()),
                     map: 0,
                 };
@@ -182,7 +174,7 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
             .collect();
         let world = World::new(&scene, 0.0);
         let truth = umbrage_judge::temporal::visibility(&world, &Light::sun(Vec3::NEG_Y), &anchors);
-        let flicker = Flicker::new(&claim, &vec![truth; claim.len()]);
+        let flicker = Flicker::new(&result, &vec![truth; result.len()]);
         let ratio = flicker.flip_rate * band / f64::from(texel) / law;
         println!("edge at {diagonal}°: {ratio:.4} of the law's flips");
         assert!((ratio - 1.0).abs() < 0.05, "{diagonal}°: {ratio} of the law's flips");

@@ -10,12 +10,12 @@ use umbrage_judge::statistics::Spread;
 use umbrage_judge::temporal::Flicker;
 use umbrage_judge::{Causes, DepthBand, Deviation, Error};
 use umbrage_lab::{
-    AreaLight, Cell, Entry, LabError, Machine, Measurement, Milliseconds, Motion, Outcome, Pictures,
+    AreaLight, Entry, LabError, Machine, Measurement, Milliseconds, Motion, Outcome, Pictures, Run,
     SmoothTruth, Store, TruthCounts, Watch,
 };
 
-fn cell(repeat: u32) -> Cell {
-    Cell {
+fn run(repeat: u32) -> Run {
+    Run {
         world: "bunny".to_owned(),
         world_hash: String::new(),
         seed: 0,
@@ -50,7 +50,7 @@ fn numbers(count: usize) -> Vec<f64> {
 }
 
 /// A result in which every field has something.
-fn outcome(cell: &Cell) -> Outcome {
+fn outcome(run: &Run) -> Outcome {
     let band = DepthBand {
         depths: [0.1 + 0.2, f64::MAX],
         pixels: 7,
@@ -63,13 +63,13 @@ fn outcome(cell: &Cell) -> Outcome {
     let spread = Spread { median: 0.1, p5: 1e-300, p95: 2.0 / 3.0 };
     let frames = numbers(8);
     let measurement = Measurement {
-        world: cell.world.clone(),
+        world: run.world.clone(),
         triangles: 1_000_000,
-        camera: cell.camera.clone(),
+        camera: run.camera.clone(),
         width: 64,
         height: 36,
-        adapter: cell.adapter.clone(),
-        settings: cell.settings.clone(),
+        adapter: run.adapter.clone(),
+        settings: run.settings.clone(),
         texels: u64::MAX,
         bytes: 4,
         truth: TruthCounts { pixels: 9, ambiguous: 1, shadowed: 4, edge_px: 0.7, standard_error: 0.1 },
@@ -110,23 +110,23 @@ fn outcome(cell: &Cell) -> Outcome {
         cores: 2,
         commit: "abc".to_owned(),
     };
-    let shaded = vec![0xff, 0xd8, cell.repeat as u8];
+    let shaded = vec![0xff, 0xd8, run.repeat as u8];
     Outcome { machine, measurement, pictures: Some(Pictures { shaded, error: b"\x89PNG".to_vec() }) }
 }
 
-/// A folder with a store in it that holds the results of some cells.
-fn store_of(cells: &[Cell]) -> (TempDir, Store) {
+/// A folder with a store in it that holds the results of some runs.
+fn store_of(runs: &[Run]) -> (TempDir, Store) {
     let folder = tempfile::tempdir().unwrap();
     let store = Store::open(&folder.path().join("a/b")).unwrap();
-    for cell in cells {
-        store.put(cell, &outcome(cell)).unwrap();
+    for run in runs {
+        store.put(run, &outcome(run)).unwrap();
     }
     (folder, store)
 }
 
 /// The stored files that end so, sorted.
 fn files(folder: &TempDir, extension: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder.path().join("a/b/cells")).unwrap();
+    let entries = fs::read_dir(folder.path().join("a/b/runs")).unwrap();
     let paths = entries.map(|entry| entry.unwrap().path());
     let mut paths: Vec<_> = paths.filter(|path| path.extension().is_some_and(|e| e == extension)).collect();
     paths.sort();
@@ -136,118 +136,118 @@ fn files(folder: &TempDir, extension: &str) -> Vec<PathBuf> {
 #[test]
 fn a_result_reads_back_bit_for_bit() {
     let (_folder, store) = store_of(&[]);
-    let mut written = outcome(&cell(0));
+    let mut written = outcome(&run(0));
     written.measurement.every_frame =
         numbers(5_000).chunks_exact(5).map(|f| [f[0], f[1], f[2], f[3], f[4]]).collect();
-    store.put(&cell(0), &written).unwrap();
-    let read = store.get(&cell(0)).unwrap();
+    store.put(&run(0), &written).unwrap();
+    let read = store.get(&run(0)).unwrap();
     assert_eq!(read, written);
     assert!(read.measurement.splits[0].false_light.is_sign_negative(), "-0 stays -0");
 }
 
 #[test]
 fn every_input_has_a_result_of_its_own() {
-    let (_folder, store) = store_of(&[cell(0)]);
+    let (_folder, store) = store_of(&[run(0)]);
     let text = |s: &str| s.to_owned();
     let others = [
-        Cell { world: text("dragon"), ..cell(0) },
-        Cell { world_hash: text("1"), ..cell(0) },
-        Cell { seed: 1, ..cell(0) },
-        Cell { camera: text("far"), ..cell(0) },
-        Cell { repeat: 1, ..cell(0) },
-        Cell { settings: Settings { lambda: 0.1f32.next_up(), ..cell(0).settings }, ..cell(0) },
-        Cell { area: Some(AreaLight { samples: 16, degrees: 5.0 }), ..cell(0) },
-        Cell { truths: vec![SmoothTruth::WideSun], ..cell(0) },
-        Cell { light_points: 65, ..cell(0) },
-        Cell { watch: Watch { frames: 60, points: 5_000 }, ..cell(0) },
-        Cell { size: [36, 64], ..cell(0) },
-        Cell { frames: 4, ..cell(0) },
-        Cell { pictures: false, ..cell(0) },
-        Cell { motion: None, ..cell(0) },
-        Cell { adapter: text("H200"), ..cell(0) },
-        Cell { program: text("beef"), ..cell(0) },
+        Run { world: text("dragon"), ..run(0) },
+        Run { world_hash: text("1"), ..run(0) },
+        Run { seed: 1, ..run(0) },
+        Run { camera: text("far"), ..run(0) },
+        Run { repeat: 1, ..run(0) },
+        Run { settings: Settings { lambda: 0.1f32.next_up(), ..run(0).settings }, ..run(0) },
+        Run { area: Some(AreaLight { samples: 16, degrees: 5.0 }), ..run(0) },
+        Run { truths: vec![SmoothTruth::WideSun], ..run(0) },
+        Run { light_points: 65, ..run(0) },
+        Run { watch: Watch { frames: 60, points: 5_000 }, ..run(0) },
+        Run { size: [36, 64], ..run(0) },
+        Run { frames: 4, ..run(0) },
+        Run { pictures: false, ..run(0) },
+        Run { motion: None, ..run(0) },
+        Run { adapter: text("H200"), ..run(0) },
+        Run { program: text("beef"), ..run(0) },
     ];
     for other in &others {
         assert_eq!(store.get(other), None, "{other:?}");
         store.put(other, &Outcome { pictures: None, ..outcome(other) }).unwrap();
     }
-    assert_eq!(store.get(&cell(0)), Some(outcome(&cell(0))), "no other took its place");
+    assert_eq!(store.get(&run(0)), Some(outcome(&run(0))), "no other took its place");
     assert!(others.iter().all(|other| store.get(other).is_some()));
 }
 
 #[test]
 fn any_changed_or_missing_byte_is_noticed() {
-    let (folder, store) = store_of(&[cell(0)]);
+    let (folder, store) = store_of(&[run(0)]);
     for extension in ["json", "jpg", "png"] {
         let path = &files(&folder, extension)[0];
         let good = fs::read(path).unwrap();
-        // Both ends, with the seal and the cell, are tried whole; of the figures between them every eleventh byte.
+        // Both ends, with the seal and the run, are tried whole; of the figures between them every eleventh byte.
         for i in (0..good.len()).filter(|i| *i < 200 || *i + 20 > good.len() || i % 11 == 0) {
             let mut bad = good.clone();
             bad[i] ^= 1;
             fs::write(path, &bad).unwrap();
-            assert_eq!(store.get(&cell(0)), None, "{extension}: byte {i} changed");
+            assert_eq!(store.get(&run(0)), None, "{extension}: byte {i} changed");
             fs::write(path, &good[..i]).unwrap();
-            assert_eq!(store.get(&cell(0)), None, "{extension}: cut after {i} bytes");
+            assert_eq!(store.get(&run(0)), None, "{extension}: cut after {i} bytes");
         }
         fs::write(path, [&good[..], b" "].concat()).unwrap();
-        assert_eq!(store.get(&cell(0)), None, "{extension}: a byte more");
+        assert_eq!(store.get(&run(0)), None, "{extension}: a byte more");
         fs::remove_file(path).unwrap();
-        assert_eq!(store.get(&cell(0)), None, "{extension}: no file");
+        assert_eq!(store.get(&run(0)), None, "{extension}: no file");
         fs::write(path, &good).unwrap();
-        assert!(store.get(&cell(0)).is_some(), "{extension}: as it was");
+        assert!(store.get(&run(0)).is_some(), "{extension}: as it was");
     }
 }
 
 #[test]
 fn a_changed_digit_is_noticed() {
-    let (folder, store) = store_of(&[cell(0)]);
+    let (folder, store) = store_of(&[run(0)]);
     let path = &files(&folder, "json")[0];
     let text = fs::read_to_string(path).unwrap();
     assert_eq!(text.matches("\"flip\":0.07").count(), 1);
     fs::write(path, text.replace("\"flip\":0.07", "\"flip\":0.02")).unwrap();
-    assert_eq!(store.get(&cell(0)), None);
-    store.put(&cell(0), &outcome(&cell(0))).unwrap();
-    assert_eq!(store.get(&cell(0)), Some(outcome(&cell(0))), "made again");
+    assert_eq!(store.get(&run(0)), None);
+    store.put(&run(0), &outcome(&run(0))).unwrap();
+    assert_eq!(store.get(&run(0)), Some(outcome(&run(0))), "made again");
 }
 
 #[test]
-fn another_cells_file_is_noticed() {
-    let (folder, store) = store_of(&[cell(0), cell(1)]);
+fn another_runs_file_is_noticed() {
+    let (folder, store) = store_of(&[run(0), run(1)]);
     for extension in ["json", "jpg"] {
         let [a, b] = &files(&folder, extension)[..] else { panic!("two results") };
         let good = fs::read(a).unwrap();
         fs::copy(b, a).unwrap();
-        let found = [0, 1].map(|repeat| store.get(&cell(repeat)).is_some());
+        let found = [0, 1].map(|repeat| store.get(&run(repeat)).is_some());
         assert_eq!(found.iter().filter(|found| **found).count(), 1, "{extension}: {found:?}");
         fs::write(a, good).unwrap();
     }
-    assert!([0, 1].iter().all(|repeat| store.get(&cell(*repeat)).is_some()));
+    assert!([0, 1].iter().all(|repeat| store.get(&run(*repeat)).is_some()));
 }
 
 #[test]
 fn pictures_alone_are_no_result() {
     let (folder, store) = store_of(&[]);
     // With a folder where the JSON should go, a run ends between the pictures and it.
-    store.put(&cell(0), &outcome(&cell(0))).unwrap();
+    store.put(&run(0), &outcome(&run(0))).unwrap();
     let json = files(&folder, "json").remove(0);
     fs::remove_file(&json).unwrap();
     for extension in ["jpg", "png"] {
         fs::remove_file(&files(&folder, extension)[0]).unwrap();
     }
     fs::create_dir(&json).unwrap();
-    assert!(matches!(store.put(&cell(0), &outcome(&cell(0))), Err(LabError::File { .. })));
+    assert!(matches!(store.put(&run(0), &outcome(&run(0))), Err(LabError::File { .. })));
     assert_eq!((files(&folder, "jpg").len(), files(&folder, "png").len()), (1, 1), "pictures come first");
-    assert_eq!(store.get(&cell(0)), None);
+    assert_eq!(store.get(&run(0)), None);
 }
 
 #[test]
 fn a_number_that_json_cannot_hold_is_refused() {
-    let (folder, store) = store_of(&[cell(1)]);
+    let (folder, store) = store_of(&[run(1)]);
     for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let mut outcome = outcome(&cell(0));
+        let mut outcome = outcome(&run(0));
         outcome.measurement.flip = Some(odd);
-        let error = store.put(&cell(0), &outcome).unwrap_err();
+        let error = store.put(&run(0), &outcome).unwrap_err();
         assert!(error.to_string().contains("not finite"), "{error}");
     }
     assert_eq!(files(&folder, "jpg").len(), 1, "nothing of it is left");
@@ -262,8 +262,8 @@ fn a_folder_that_cannot_be_written_is_known_before_anything_runs() {
     assert!(matches!(error, LabError::File { action: "write", .. }), "{error}");
     assert!(error.to_string().contains("below") && !error.to_string().contains('\n'), "{error}");
     assert!(Store::open(&file).is_err(), "a file is no folder");
-    fs::write(folder.path().join("cells"), b"").unwrap();
-    assert!(Store::open(folder.path()).is_err(), "nor is it one of cells");
+    fs::write(folder.path().join("runs"), b"").unwrap();
+    assert!(Store::open(folder.path()).is_err(), "nor is it one of runs");
 
     let fresh = folder.path().join("fresh");
     Store::open(&fresh).unwrap();
@@ -272,7 +272,7 @@ fn a_folder_that_cannot_be_written_is_known_before_anything_runs() {
 
 fn entries(count: u32) -> Vec<Entry> {
     (0..count)
-        .map(|i| Entry { way: i as usize % 2, swept: Some(toml::Value::Integer(i.into())), cell: cell(i) })
+        .map(|i| Entry { variant: i as usize % 2, swept: Some(toml::Value::Integer(i.into())), run: run(i) })
         .collect()
 }
 
@@ -280,12 +280,12 @@ fn entries(count: u32) -> Vec<Entry> {
 fn a_run_that_was_cut_off_goes_on_where_it_stopped() {
     let (_folder, store) = store_of(&[]);
     let measured = Counter::new(0);
-    let measure = |cell: &Cell| {
+    let measure = |run: &Run| {
         measured.set(measured.get() + 1);
-        Ok(outcome(cell))
+        Ok(outcome(run))
     };
     let cut_off =
-        |cell: &Cell| if cell.repeat < 4 { measure(cell) } else { Err(LabError::Plot("power cut".into())) };
+        |run: &Run| if run.repeat < 4 { measure(run) } else { Err(LabError::Plot("power cut".into())) };
     let error = umbrage_lab::run(&entries(10), &store, cut_off, |_, _, _| {}).unwrap_err();
     assert!(error.to_string().contains("power cut"), "{error}");
     assert_eq!(measured.replace(0), 4);
@@ -305,20 +305,20 @@ fn a_run_that_was_cut_off_goes_on_where_it_stopped() {
         rows,
         "as if never cut off"
     );
-    assert_eq!((rows[3].way, &rows[3].swept, &rows[3].cell), (1, &Some(toml::Value::Integer(3)), &cell(3)));
+    assert_eq!((rows[3].variant, &rows[3].swept, &rows[3].run), (1, &Some(toml::Value::Integer(3)), &run(3)));
 }
 
 #[test]
 fn a_corrupt_result_is_measured_again_and_nothing_else() {
-    let (folder, store) = store_of(&[cell(0), cell(1), cell(2)]);
+    let (folder, store) = store_of(&[run(0), run(1), run(2)]);
     let path = &files(&folder, "json")[1];
     fs::write(path, &fs::read(path).unwrap()[..100]).unwrap();
     let measured = Counter::new(0);
-    let measure = |cell: &Cell| {
+    let measure = |run: &Run| {
         measured.set(measured.get() + 1);
-        Ok(outcome(cell))
+        Ok(outcome(run))
     };
     let rows = umbrage_lab::run(&entries(3), &store, measure, |_, _, _| {}).unwrap();
     assert_eq!(measured.get(), 1);
-    assert!(rows.iter().all(|row| row.outcome == outcome(&row.cell)));
+    assert!(rows.iter().all(|row| row.outcome == outcome(&row.run)));
 }

@@ -10,6 +10,9 @@ struct Look {
     stretch: u32,
     /// 1 where grey is even in metres.
     even: u32,
+    /// Greys of the nearest and of the farthest depth that was drawn, where grey is stretched, 0 to 1.
+    nearest: f32,
+    farthest: f32,
 }
 
 @group(0) @binding(1) var maps: texture_depth_2d_array;
@@ -48,10 +51,10 @@ fn paint(@builtin(global_invocation_id) id: vec3u) {
     var grey = depth_at(vec2u(place));
     let nearest = atomicLoad(&drawn[0]);
     let farthest = atomicLoad(&drawn[1]);
-    // An empty map is far all over.
-    if look.stretch == 1u && nearest <= farthest {
+    // What is empty is far, an empty map all over.
+    if look.stretch == 1u && grey < 1.0 {
         let range = max(bitcast<f32>(farthest) - bitcast<f32>(nearest), 1e-9);
-        grey = clamp((grey - bitcast<f32>(nearest)) / range, 0.0, 1.0);
+        grey = mix(look.nearest, look.farthest, clamp((grey - bitcast<f32>(nearest)) / range, 0.0, 1.0));
     }
     textureStore(picture, id.xy, vec4f(vec3f(select(grey, 1.0 - grey, look.invert == 1u)), 1.0));
 }

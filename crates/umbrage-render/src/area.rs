@@ -4,45 +4,30 @@
 //! each sample of the light, and the mean of what they say. It is dear, and as right as its maps and N are: a yardstick
 //! for filters that soften one map.
 //!
-//! A sun is a disc that is seen under an angle. A lamp is a ball: samples of it, seen from anywhere, are spread evenly
+//! A sun is a disc that is seen under an angle. A punctual light is a ball: samples of it, seen from anywhere, are spread evenly
 //! over the disc that it looks like, for they are the 3-sphere's without their fourth coordinate (Archimedes).
 
 use glam::Vec3;
 use umbrage::{Light, LightError, LightKind};
-use web_time::Instant;
 
-use crate::convert::WIDEST_HALF_ANGLE;
 use crate::error::RenderError;
-use crate::frame::{Frame, Lamp, Show};
-use crate::gpu::Gpu;
-use crate::renderer::Renderer;
-use crate::scene_buffers::filled;
-use crate::timing::FrameTimes;
+use crate::light::WIDEST_HALF_ANGLE;
 
-/// How large lights are, and how many points of each are taken.
+/// Says how large lights are, and how many points of each are taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Area {
-    /// Points, 1 to [`MOST_SAMPLES`]. One is the middle: the hard shadow.
+    /// The number of points, 1 to [`MOST_SAMPLES`]. One is the middle: the hard shadow.
     pub samples: u32,
-    /// The whole angle that a sun is seen under, from 0 to below 180 degrees. Lamps have half of it, in radians, for a
-    /// radius in metres.
+    /// The whole angle that a sun is seen under, from 0 to below 180 degrees. Punctual lights have half of it, in radians,
+    /// for a radius in metres.
     pub degrees: f32,
 }
 
-/// More samples than eight bits of visibility can tell apart.
+/// The most samples there may be: more than eight bits of visibility can tell apart.
 pub const MOST_SAMPLES: u32 = 1024;
 
-/// What came of drawing a light of some size.
-#[derive(Clone, Debug)]
-pub struct AreaRendered {
-    /// Of every pixel, 0 to 1; the sky is lit.
-    pub visibility: Vec<f32>,
-    /// How long all samples took together.
-    pub times: FrameTimes,
-}
-
 impl Area {
-    /// Whether there is such a light.
+    /// Checks that there is such a light.
     ///
     /// # Errors
     /// The first number that is out of its range.
@@ -58,7 +43,7 @@ impl Area {
     }
 
     /// A light moved to one of its samples.
-    fn moved(&self, light: &Light, sample: u32) -> Result<Light, LightError> {
+    pub(crate) fn moved(&self, light: &Light, sample: u32) -> Result<Light, LightError> {
         let half_angle = 0.5 * self.degrees.to_radians();
         let place = place(sample, self.samples);
         let aside = place * half_angle;
@@ -68,7 +53,7 @@ impl Area {
                 let aside = (right * place.x + up * place.y) * half_angle.tan();
                 Light::directional(direction - aside)?
             }
-            // A cone that is wider by as much as a metre off its tip, so that its map still holds what the middle shines at.
+            // A cone that is wider by as much as a metre off its apex, so that its map still holds what the middle shines at.
             LightKind::Spot { position, direction, half_angle, range } => {
                 let wider = (half_angle + aside.length().atan()).min(half_angle.max(WIDEST_HALF_ANGLE));
                 Light::spot(position + aside, direction, wider, range + aside.length())?
@@ -96,102 +81,6 @@ fn place(sample: u32, samples: u32) -> Vec3 {
     Vec3::new((across * cosine) as f32, (across * sine) as f32, deep as f32)
 }
 
-impl Renderer {
-    /// Draws the visibility of one of a frame's lamps as if it had some size. The frame says from where, when and how
-    /// large; what it shows does not matter.
-    ///
-    /// # Errors
-    /// When there is no such lamp or area, and as [`Self::render`].
-    pub fn area(&mut self, frame: &Frame, lamp: usize, area: Area) -> Result<AreaRendered, RenderError> {
-        area.validate()?;
-        let lamps = frame.lamps.len();
-        let lamp = *frame.lamps.get(lamp).ok_or(RenderError::NoSuchLamp { lamp, lamps })?;
-        let start = Instant::now();
-        let (mut sums, mut times) = (None, FrameTimes::default());
-        for sample in 0..area.samples {
-            let moved = Frame {
-                lamps: vec![Lamp { light: area.moved(&lamp.light, sample)?, ..lamp }],
-                show: Show::Visibility(0),
-                camera: frame.camera,
-                planned_for: None,
-                ..*frame
-            };
-            times += self.render(&moved)?.times;
-            let (gpu, picture) = (&self.gpu, &self.drawn()?.resolved_view);
-            let sums = match &sums {
-                Some(sums) => sums,
-                None => sums.insert(Sums::new(gpu, picture, [frame.width, frame.height])?),
-            };
-            sums.add(gpu);
-        }
-        let mut visibility = match sums {
-            Some(sums) => sums.read(&self.gpu)?,
-            None => Vec::new(),
-        };
-        visibility.iter_mut().for_each(|sum| *sum /= area.samples as f32);
-        times.frame = start.elapsed().as_secs_f64() * 1e3;
-        Ok(AreaRendered { visibility, times })
-    }
-}
-
-/// The sum of pictures, on the device.
-struct Sums {
-    buffer: wgpu::Buffer,
-    pipeline: wgpu::ComputePipeline,
-    group: wgpu::BindGroup,
-    size: [u32; 2],
-}
-
-impl Sums {
-    /// Of pictures that are drawn one after another into the same texture.
-    fn new(gpu: &Gpu, picture: &wgpu::TextureView, size: [u32; 2]) -> Result<Self, RenderError> {
-        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-        let buffer = filled(gpu, "sums of visibility", &vec![0; 4 * pixels(size)], usage)?;
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("Sums::module"),
-            source: wgpu::ShaderSource::Wgsl(include_str!("../shaders/area.wgsl").into()),
-        });
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("Sums::pipeline"),
-            layout: None,
-            module: &module,
-            entry_point: Some("add"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("Sums::group"),
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(picture) },
-                wgpu::BindGroupEntry { binding: 1, resource: buffer.as_entire_binding() },
-            ],
-        });
-        Ok(Self { buffer, pipeline, group, size })
-    }
-
-    /// Adds the picture as it is now.
-    fn add(&self, gpu: &Gpu) {
-        let [across, down] = self.size.map(|side| side.div_ceil(8));
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &self.group, &[]);
-            pass.dispatch_workgroups(across, down, 1);
-        }
-        gpu.queue.submit([encoder.finish()]);
-    }
-
-    fn read(&self, gpu: &Gpu) -> Result<Vec<f32>, RenderError> {
-        gpu.read_floats(&self.buffer, pixels(self.size))
-    }
-}
-
-fn pixels([width, height]: [u32; 2]) -> usize {
-    width as usize * height as usize
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -212,15 +101,15 @@ mod tests {
     }
 
     #[test]
-    fn a_moved_sun_is_within_half_its_angle_and_a_moved_lamp_within_its_radius() {
+    fn a_moved_sun_is_within_half_its_angle_and_a_moved_point_light_within_its_radius() {
         let area = Area { samples: 64, degrees: 10.0 };
         let sun = Light::directional(Vec3::new(0.3, -1.0, 0.2)).unwrap();
-        let lamp = Light::point(Vec3::new(1.0, 2.0, 3.0), 9.0).unwrap();
+        let point = Light::point(Vec3::new(1.0, 2.0, 3.0), 9.0).unwrap();
         for sample in 0..64 {
             let turned = area.moved(&sun, sample).unwrap().direction_from(Vec3::ZERO);
             let angle = turned.angle_between(sun.direction_from(Vec3::ZERO)).to_degrees();
             assert!(angle <= 5.001, "{angle}°");
-            let LightKind::Point { position, .. } = area.moved(&lamp, sample).unwrap().kind() else {
+            let LightKind::Point { position, .. } = area.moved(&point, sample).unwrap().kind() else {
                 panic!("a point")
             };
             assert!(position.distance(Vec3::new(1.0, 2.0, 3.0)) <= 5f32.to_radians() + 1e-6, "{position}");

@@ -12,8 +12,11 @@ use umbrage_scene::{Instance, Scene};
 #[derive(Clone, Debug)]
 pub struct PartTable {
     parts: Vec<PartRow>,
-    /// Parallel to all parts' instances, in order.
-    boxes: Vec<Aabb>,
+    /// The boxes are parallel to all parts' instances, in order.
+    bounds: Bounds,
+    seconds: f32,
+    /// Room for the matrices of instances that move.
+    matrices: Vec<Option<Mat4>>,
 }
 
 /// A part of a mesh, and where it stands.
@@ -34,25 +37,58 @@ struct PartRow {
 /// One draw: a range of indices, for a run of instances in the list of instance numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Draw {
-    /// Of the scene's index buffer.
+    /// The range of the scene's index buffer.
     pub indices: Range<u32>,
-    /// Added to every index.
+    /// The number that is added to every index.
     pub base_vertex: i32,
-    /// Of the scene.
+    /// The index of the material in the scene.
     pub material: u32,
     /// Whether front faces are clockwise: the instances mirror the mesh.
     pub mirrored: bool,
-    /// Of the list of instance numbers.
+    /// The range of the list of instance numbers.
     pub instances: Range<u32>,
 }
 
-/// The draws of several views, and the instance numbers that they refer to.
+/// The draws of several views, and the instance numbers that they refer to. What is cleared keeps its room, so that lists
+/// as long as those before allocate nothing.
 #[derive(Clone, Debug, Default)]
 pub struct DrawLists {
-    /// Numbers of instances, in the scene's list.
-    pub instances: Vec<u32>,
-    /// A list a view, in the order they were added.
-    pub views: Vec<Vec<Draw>>,
+    instances: Vec<u32>,
+    draws: Vec<Draw>,
+    /// Where each view's draws end.
+    ends: Vec<usize>,
+}
+
+impl DrawLists {
+    /// Removes all views.
+    pub fn clear(&mut self) {
+        let Self { instances, draws, ends } = self;
+        instances.clear();
+        draws.clear();
+        ends.clear();
+    }
+
+    /// Returns the numbers of instances that draws refer to, in the scene's list.
+    pub fn instances(&self) -> &[u32] {
+        &self.instances
+    }
+
+    /// Returns the draws of the view that was added as number `view`, counted from 0; none where there is no such view.
+    pub fn view(&self, view: usize) -> &[Draw] {
+        let Some(end) = self.ends.get(view) else { return &[] };
+        let start = view.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.draws[start..*end]
+    }
+
+    /// Returns how many views were added.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Says whether no view was added.
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
 }
 
 /// Whether draws with different materials may become one.
@@ -93,50 +129,59 @@ impl PartTable {
             first_index += mesh.indices.len() as u32;
             base_vertex += mesh.positions.len() as i32;
         }
-        let mut table = Self { parts, boxes: vec![Aabb::EMPTY; boxes] };
+        let bounds = Bounds { world: Aabb::EMPTY, objects: vec![Aabb::EMPTY; boxes] };
+        let matrices = Vec::with_capacity(scene.instances.len());
+        let mut table = Self { parts, bounds, seconds: 0.0, matrices };
         table.place(&scene.instances, |instance| Some(instance.world_from_mesh));
         table
     }
 
-    /// Moves what moves: boxes of dynamic instances at time `seconds`.
+    /// Moves what moves: boxes of dynamic instances, to where they are `seconds` after the start.
     pub fn move_to(&mut self, instances: &[Instance], seconds: f32) {
-        self.place(instances, |instance| instance.is_dynamic().then(|| instance.world_from_mesh_at(seconds)));
+        if seconds != self.seconds {
+            self.seconds = seconds;
+            self.place(instances, |instance| {
+                instance.is_dynamic().then(|| instance.world_from_mesh_at(seconds))
+            });
+        }
     }
 
     fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(&Instance) -> Option<Mat4>) {
-        let matrices: Vec<Option<Mat4>> = instances.iter().map(world_from_mesh).collect();
-        for part in &self.parts {
-            for (slot, &instance) in self.boxes[part.first_box..].iter_mut().zip(&part.instances) {
+        let Self { parts, bounds, seconds: _, matrices } = self;
+        matrices.clear();
+        matrices.extend(instances.iter().map(world_from_mesh));
+        for part in parts {
+            for (slot, &instance) in bounds.objects[part.first_box..].iter_mut().zip(&part.instances) {
                 if let Some(matrix) = &matrices[instance as usize] {
                     let world = part.local.transformed(matrix);
                     *slot = Aabb { min: world.min, max: world.max };
                 }
             }
         }
+        bounds.world = bounds.objects.iter().fold(Aabb::EMPTY, |sum, aabb| sum.union(*aabb));
     }
 
-    /// What the planner needs to know of the world.
-    pub fn bounds(&self) -> Bounds {
-        let world = self.boxes.iter().fold(Aabb::EMPTY, |sum, aabb| sum.union(*aabb));
-        Bounds { world, objects: self.boxes.clone() }
+    /// Returns what the planner needs to know of the world.
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
     }
 
-    /// [`Self::bounds`] of a scene at a time, for planning without a renderer.
-    pub fn bounds_at(mut self, scene: &Scene, seconds: f32) -> Bounds {
-        self.move_to(&scene.instances, seconds);
-        self.bounds()
+    /// Returns [`Self::bounds`] at a time, for planning without a renderer.
+    pub fn into_bounds_at(mut self, instances: &[Instance], seconds: f32) -> Bounds {
+        self.move_to(instances, seconds);
+        self.bounds
     }
 
     /// Appends the draws of everything that may touch `volume`; of everything there is, where `volume` is `None`.
     pub fn add_view(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>, materials: Materials) {
-        let mut draws: Vec<Draw> = Vec::new();
         if volume.is_some_and(ConvexVolume::is_empty) {
-            lists.views.push(draws);
+            lists.ends.push(lists.draws.len());
             return;
         }
+        let first = lists.draws.len();
         for part in &self.parts {
             let start = lists.instances.len();
-            let boxes = &self.boxes[part.first_box..part.first_box + part.instances.len()];
+            let boxes = &self.bounds.objects[part.first_box..part.first_box + part.instances.len()];
             let touching = part
                 .instances
                 .iter()
@@ -147,7 +192,7 @@ impl PartTable {
                 continue;
             }
             // A part that follows the last draw, on the same instances, joins it.
-            if let Some(last) = draws.last_mut() {
+            if let Some(last) = lists.draws[first..].last_mut() {
                 let follows = last.indices.end == part.indices.start && last.base_vertex == part.base_vertex;
                 let may_join = materials == Materials::Together || last.material == part.material;
                 let before = last.instances.start as usize..last.instances.end as usize;
@@ -157,7 +202,7 @@ impl PartTable {
                     continue;
                 }
             }
-            draws.push(Draw {
+            lists.draws.push(Draw {
                 indices: part.indices.clone(),
                 base_vertex: part.base_vertex,
                 material: part.material,
@@ -165,12 +210,12 @@ impl PartTable {
                 instances: start as u32..lists.instances.len() as u32,
             });
         }
-        lists.views.push(draws);
+        lists.ends.push(lists.draws.len());
     }
 }
 
 impl Draw {
-    /// Triangles drawn.
+    /// Returns how many triangles are drawn, all instances together.
     pub fn triangles(&self) -> u64 {
         u64::from(self.indices.end - self.indices.start) / 3
             * u64::from(self.instances.end - self.instances.start)
@@ -215,9 +260,9 @@ mod tests {
         let mut lists = DrawLists::default();
         PartTable::new(&scene).add_view(&mut lists, None, Materials::Together);
         PartTable::new(&scene).add_view(&mut lists, None, Materials::Apart);
-        let triangles = |view: usize| lists.views[view].iter().map(Draw::triangles).sum::<u64>();
-        assert_eq!((lists.views[0].len(), triangles(0)), (2, 8192 + 16));
-        assert_eq!((lists.views[1].len(), triangles(1)), (3, 8192 + 16));
+        let triangles = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
+        assert_eq!((lists.view(0).len(), triangles(0)), (2, 8192 + 16));
+        assert_eq!((lists.view(1).len(), triangles(1)), (3, 8192 + 16));
     }
 
     #[test]
@@ -227,7 +272,38 @@ mod tests {
         PartTable::new(&scene).add_view(&mut lists, Some(&before(50.0)), Materials::Together);
         PartTable::new(&scene).add_view(&mut lists, Some(&ConvexVolume::empty()), Materials::Together);
         // The first of four parts of the long row, and the nearer one of the two short rows.
-        assert_eq!(lists.views[0].iter().map(Draw::triangles).collect::<Vec<_>>(), [2048, 8]);
-        assert_eq!(lists.views[1], []);
+        assert_eq!(lists.view(0).iter().map(Draw::triangles).collect::<Vec<_>>(), [2048, 8]);
+        assert_eq!(lists.view(1), []);
+    }
+    #[test]
+    fn lists_that_are_made_again_take_no_more_room() {
+        let scene = scene();
+        let table = PartTable::new(&scene);
+        let mut lists = DrawLists::default();
+        let mut room = || {
+            lists.clear();
+            table.add_view(&mut lists, None, Materials::Together);
+            table.add_view(&mut lists, Some(&before(50.0)), Materials::Apart);
+            let DrawLists { instances, draws, ends } = &lists;
+            let (instances, draws, ends) =
+                (instances.as_ptr_range(), draws.as_ptr_range(), ends.as_ptr_range());
+            (instances, draws, ends)
+        };
+        assert_eq!(room(), room(), "the same lists in the same place");
+    }
+
+    #[test]
+    fn boxes_move_with_what_moves_and_come_back() {
+        let mut scene = scene();
+        let axis = umbrage_scene::Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
+        scene.instances[1].motion = axis;
+        let mut table = PartTable::new(&scene);
+        let start = table.bounds().clone();
+        table.move_to(&scene.instances, 1.0);
+        let moved = table.bounds().clone();
+        assert_ne!(moved, start);
+        assert_eq!(moved, PartTable::new(&scene).into_bounds_at(&scene.instances, 1.0));
+        table.move_to(&scene.instances, 0.0);
+        assert_eq!(*table.bounds(), start);
     }
 }

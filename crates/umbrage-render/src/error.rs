@@ -2,29 +2,29 @@
 
 use umbrage::{CameraError, LightError, PlanError, ShadowError};
 
-/// Why there is no picture.
+/// Says why there is no picture.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// Nothing can draw here.
+    /// There is no graphics adapter.
     #[error(
         "no graphics adapter was found; run scripts/setup, which installs a Vulkan loader and Mesa's software driver"
     )]
     NoAdapter,
-    /// None of the adapters is the one asked for.
+    /// None of the adapters contains the wanted text.
     #[error("no adapter's name or backend contains `{wanted}`; there are: {}", found.join("; "))]
     NoSuchAdapter {
-        /// What was asked for.
+        /// The text that was looked for.
         wanted: String,
-        /// What there is.
+        /// The adapters that there are.
         found: Vec<String>,
     },
     /// The adapter gave no device.
     #[error("the adapter {adapter} gave no device: {reason}")]
     NoDevice {
-        /// Its name.
+        /// The adapter's name.
         adapter: String,
-        /// What it said.
+        /// The driver's own words.
         reason: String,
     },
     /// A picture without pixels, or with more than the adapter can draw.
@@ -37,38 +37,44 @@ pub enum RenderError {
         /// The largest side, pixels.
         most: u32,
     },
-    /// Something does not fit the adapter's buffers.
+    /// Data does not fit the adapter's buffers.
     #[error("the {what} needs {bytes} bytes; this adapter's buffers hold {most}")]
     TooLarge {
-        /// Which data.
+        /// The data that does not fit.
         what: &'static str,
-        /// How many bytes it needs.
+        /// The bytes that it needs.
         bytes: u64,
-        /// How many there may be.
+        /// The bytes that a buffer may have.
         most: u64,
     },
-    /// A lamp that the frame does not cast shadows of.
-    #[error("there is no lamp {lamp}; the frame has shadows of {lamps}, counted from 0")]
-    NoSuchLamp {
-        /// Which was asked for.
-        lamp: usize,
-        /// How many there are.
-        lamps: usize,
+    /// A light that the frame does not cast shadows of.
+    #[error("there is no light {light}; the frame has shadows of {lights}, counted from 0")]
+    NoSuchLight {
+        /// The light that is wanted, counted from 0.
+        light: usize,
+        /// The number of lights with shadows.
+        lights: usize,
     },
-    /// A view that the last frame's plan does not have.
-    #[error("there is no shadow view {view}; the last frame has {views}, counted from 0")]
+    /// Shadow maps that are not those of the frame any more.
+    #[error(
+        "the shadow maps of this frame are gone: a later frame was drawn into them, other settings made new ones, or \
+         another renderer drew it; draw the frame again"
+    )]
+    MapsGone,
+    /// A view that a frame's plan does not have.
+    #[error("there is no shadow view {view}; the frame has {views}, counted from 0")]
     NoSuchView {
-        /// Which was asked for.
+        /// The view that is wanted, counted from 0.
         view: usize,
-        /// How many there are.
+        /// The number of views.
         views: usize,
     },
     /// Too many samples of a light of some size, or none.
     #[error("an area light needs from 1 to {most} samples, got {got}")]
     AreaSamples {
-        /// How many were asked for.
+        /// The number that is wanted.
         got: u32,
-        /// How many there may be.
+        /// The largest number.
         most: u32,
     },
     /// A light that is larger than half of the sky, or smaller than nothing.
@@ -91,7 +97,7 @@ pub enum RenderError {
         "the adapter {adapter} cannot show pictures in a window; use a Vulkan, Metal, DX12 or WebGPU adapter"
     )]
     NoWindow {
-        /// Its name.
+        /// The adapter's name.
         adapter: String,
     },
     /// The device stopped answering.

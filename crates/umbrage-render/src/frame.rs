@@ -1,29 +1,21 @@
 //! What to draw: from where, when, what shines, and what of it a picture shows.
 
-use glam::Vec3;
-use umbrage::{Camera, Light};
+use umbrage::Camera;
 
-/// A light that shades and casts shadows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lamp {
-    /// Where it shines, for its shadows.
-    pub light: Light,
-    /// Linear RGB: of a sun, on a surface that faces it; of a spot or point, the same at a distance of one metre.
-    pub colour: Vec3,
-    /// Of a spot: the angles from its axis at which its light begins to fade, and ends, radians.
-    pub cone: [f32; 2],
-}
+use crate::convert;
+use crate::error::RenderError;
+use crate::light::FrameLight;
 
-/// What to draw.
+/// Says what to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// From where.
+    /// The camera that looks.
     pub camera: Camera,
-    /// For which camera shadows are planned, where it is not the one that looks: to see from outside what a plan does.
+    /// The camera that shadows are planned for, where it is not the one that looks: to see from outside what a plan does.
     pub planned_for: Option<Camera>,
-    /// What shines, 16 at most.
-    pub lamps: Vec<Lamp>,
-    /// When, for things that move.
+    /// The lights that shine, 16 at most.
+    pub lights: Vec<FrameLight>,
+    /// Seconds since the start, for things that move.
     pub seconds: f32,
     /// Width, pixels.
     pub width: u32,
@@ -31,7 +23,7 @@ pub struct Frame {
     pub height: u32,
     /// Samples a pixel: 1, or 4 for smooth edges. Visibility always has 1.
     pub samples: u32,
-    /// What of it.
+    /// What the picture shows.
     pub show: Show,
 }
 
@@ -43,20 +35,20 @@ pub enum Show {
     /// The world without shadows, and without drawing any.
     Unshadowed,
     /// The world with shadows that are given, and without drawing any: visibility, 0 to 1, of every pixel for the first
-    /// lamp, then for the next. One sample a pixel.
+    /// light, then for the next. One sample a pixel.
     Given(Vec<f32>),
-    /// The world with its shadows, and something about the first lamp's maps drawn onto its surfaces.
+    /// The world with its shadows, and something about the first light's maps drawn onto its surfaces.
     Marked(Mark),
-    /// How much of one lamp's light reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
+    /// How much of one light reaches each pixel, as grey: 255 lit, 0 shadowed, the sky lit. One sample a pixel.
     Visibility(usize),
-    /// Nothing: the shadow maps alone are drawn, to be asked or read. The picture has one pixel.
+    /// Nothing: the shadow maps alone are drawn, to be queried or read. The picture has one pixel.
     Nothing,
 }
 
 /// What can be drawn onto surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// Which view serves them, as a tint.
+    /// The view that serves each place, as a tint of [`SPLIT_COLOURS`](crate::SPLIT_COLOURS).
     Splits,
     /// The texels of the map, as a chequer; where they are smaller than a pixel it fades to its mean.
     Texels,
@@ -66,13 +58,30 @@ pub enum Mark {
 }
 
 impl Frame {
-    /// The lights that shadows are drawn for.
-    pub(crate) fn shadowed(&self) -> Vec<Light> {
-        match self.show {
-            Show::Unshadowed | Show::Given(_) => Vec::new(),
-            Show::World | Show::Marked(_) | Show::Visibility(_) | Show::Nothing => {
-                self.lamps.iter().map(|lamp| lamp.light).collect()
-            }
+    /// Describes a picture of a scene's camera and lights as they are `seconds` after the start, `[width, height]` pixels
+    /// large: one sample a pixel, shadows planned for the camera that looks.
+    ///
+    /// # Errors
+    /// When the camera or a light cannot be used.
+    pub fn of(
+        camera: &umbrage_scene::Camera,
+        lights: &[umbrage_scene::Light],
+        seconds: f32,
+        [width, height]: [u32; 2],
+        show: Show,
+    ) -> Result<Self, RenderError> {
+        let camera = convert::camera(camera, width as f32 / height as f32)?;
+        let lights = lights.iter().map(|light| FrameLight::at(light, seconds)).collect::<Result<_, _>>()?;
+        Ok(Self { camera, planned_for: None, lights, seconds, width, height, samples: 1, show })
+    }
+}
+
+impl Show {
+    /// Whether shadow maps are drawn for it.
+    pub(crate) fn has_shadows(&self) -> bool {
+        match self {
+            Self::Unshadowed | Self::Given(_) => false,
+            Self::World | Self::Marked(_) | Self::Visibility(_) | Self::Nothing => true,
         }
     }
 }

@@ -2,38 +2,65 @@
 //! how to integrate it, and what the command line draws with.
 //!
 //! [`Gpu`] is an adapter and its device. [`Renderer`] holds a scene on it, and draws a [`Frame`]: a plan, one caster pass
-//! for each view, one shading pass. What is drawn into a view is a list of (instance, part), made in one place,
-//! [`draws`].
+//! for each view, one shading pass. What comes of it is a [`Drawn`], which owns the picture. What is drawn into a view is a
+//! list of (instance, part), made in one place, [`draws`].
+//!
+//! ```no_run
+//! use umbrage_render::umbrage::Settings;
+//! use umbrage_render::{Frame, Gpu, Renderer, Show};
+//! # fn main() -> Result<(), umbrage_render::RenderError> {
+//! # let scene = umbrage_scene::Scene::default();
+//! let gpu = Gpu::new(None)?;
+//! let mut renderer = Renderer::new(&gpu, &scene, Settings::default())?;
+//! let frame = Frame::of(&scene.cameras[0], &scene.lights, 0.0, [640, 360], Show::World)?;
+//! let drawn = renderer.draw(&frame)?;
+//! let picture = drawn.picture()?;
+//! let visibility = renderer.show(&drawn, &Show::Visibility(0))?.picture()?; // from the same shadow maps
+//! # Ok(()) }
+//! ```
 //!
 //! This crate does not: open windows, read files, measure errors, or shade like a film. At most 16 lights
 //! shine.
 
 pub mod draws;
 
+mod adapter;
 mod area;
-mod ask;
-mod casters;
+mod buffers;
 mod convert;
+mod counts;
+mod drawn;
 mod error;
 mod frame;
 mod gpu;
-mod map_picture;
-mod prepass;
+mod light;
+mod passes;
+mod picture;
+mod placement;
+mod pool;
+mod read_back;
 mod renderer;
 mod scene_buffers;
+mod scene_uniform;
+mod shaders;
 mod shading;
 mod target;
 mod textures;
 mod timing;
 
-pub use area::{Area, AreaRendered, MOST_SAMPLES};
-pub use ask::Point;
-pub use convert::{bounds, camera, lamp};
+pub use adapter::AdapterDescription;
+pub use area::{Area, MOST_SAMPLES};
+pub use convert::{bounds, camera};
+pub use counts::Made;
+pub use drawn::{Drawn, Rendered};
 pub use error::RenderError;
-pub use frame::{Frame, Lamp, Mark, Show};
-pub use gpu::{AdapterDescription, Gpu};
-pub use map_picture::MapLook;
-pub use renderer::{Drawn, Rendered, Renderer};
-pub use target::{ComingPicture, Picture};
+pub use frame::{Frame, Mark, Show};
+pub use gpu::Gpu;
+pub use light::FrameLight;
+pub use passes::map_picture::MapLook;
+pub use passes::query::Point;
+pub use picture::{ComingPicture, Picture};
+pub use renderer::{AreaRendered, Renderer};
+pub use shaders::SPLIT_COLOURS;
 pub use timing::{FrameTimes, ViewLoad};
 pub use umbrage;

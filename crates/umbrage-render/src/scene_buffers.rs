@@ -2,10 +2,12 @@
 
 use encase::{ShaderType, UniformBuffer};
 use glam::Vec4;
-use umbrage_scene::{Instance, Scene, Texture};
+use umbrage_scene::{Scene, Texture};
 
+use crate::buffers::{binding, filled};
 use crate::error::RenderError;
 use crate::gpu::Gpu;
+use crate::placement::Placement;
 use crate::textures;
 
 /// What is bound once for a whole scene.
@@ -16,8 +18,7 @@ pub(crate) struct SceneBuffers {
     /// Normal and texture coordinates, interleaved.
     pub attributes: wgpu::Buffer,
     pub indices: wgpu::Buffer,
-    /// `world_from_mesh` of every instance.
-    pub instances: wgpu::Buffer,
+    pub placement: Placement,
     pub materials: Vec<wgpu::BindGroup>,
     pub material_layout: wgpu::BindGroupLayout,
 }
@@ -46,9 +47,8 @@ impl SceneBuffers {
             .flat_map(|mesh| bytemuck::cast_slice::<_, u8>(&mesh.indices))
             .copied()
             .collect();
-        let instance_bytes = vec![0; scene.instances.len().max(1) * size_of::<[f32; 16]>()];
-        let material_layout = material_layout(&gpu.device);
-        let buffers = Self {
+        let material_layout = material_layout(gpu);
+        Ok(Self {
             positions: filled(gpu, "positions", &positions, wgpu::BufferUsages::VERTEX)?,
             attributes: filled(
                 gpu,
@@ -57,86 +57,35 @@ impl SceneBuffers {
                 wgpu::BufferUsages::VERTEX,
             )?,
             indices: filled(gpu, "indices", &indices, wgpu::BufferUsages::INDEX)?,
-            instances: filled(gpu, "instances", &instance_bytes, wgpu::BufferUsages::STORAGE)?,
+            placement: Placement::new(gpu, &scene.instances)?,
             materials: materials(gpu, scene, &material_layout)?,
             material_layout,
-        };
-        buffers.place(gpu, &scene.instances, 0.0);
-        Ok(buffers)
+        })
+    }
+
+    /// Gives a pass the vertices of casters.
+    pub fn bind_casters(&self, pass: &mut wgpu::RenderPass<'_>, instance_numbers: &wgpu::Buffer) {
+        pass.set_vertex_buffer(0, self.positions.slice(..));
+        pass.set_vertex_buffer(1, instance_numbers.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
     }
 
     /// Gives a pass the vertices of receivers.
     pub fn bind_receivers(&self, pass: &mut wgpu::RenderPass<'_>, instance_numbers: &wgpu::Buffer) {
-        pass.set_vertex_buffer(0, self.positions.slice(..));
-        pass.set_vertex_buffer(1, instance_numbers.slice(..));
+        self.bind_casters(pass, instance_numbers);
         pass.set_vertex_buffer(2, self.attributes.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-    }
-
-    /// Writes where every instance stands at time `seconds`.
-    pub fn place(&self, gpu: &Gpu, instances: &[Instance], seconds: f32) {
-        let matrices: Vec<[f32; 16]> =
-            instances.iter().map(|instance| instance.world_from_mesh_at(seconds).to_cols_array()).collect();
-        gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&matrices));
     }
 }
 
-/// A buffer with something in it; never of no size, which cannot be bound.
-pub(crate) fn filled(
-    gpu: &Gpu,
-    what: &'static str,
-    bytes: &[u8],
-    usage: wgpu::BufferUsages,
-) -> Result<wgpu::Buffer, RenderError> {
-    let limits = gpu.device.limits();
-    let most = if usage.contains(wgpu::BufferUsages::STORAGE) {
-        limits.max_storage_buffer_binding_size.min(limits.max_buffer_size)
-    } else {
-        limits.max_buffer_size
+fn material_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
+    let texture = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
     };
-    let size = (bytes.len() as u64).max(16);
-    if size > most {
-        return Err(RenderError::TooLarge { what, bytes: size, most });
-    }
-    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(what),
-        size,
-        usage: usage | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    gpu.queue.write_buffer(&buffer, 0, bytes);
-    Ok(buffer)
-}
-
-fn material_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty,
-        count: None,
-    };
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("SceneBuffers::material_layout"),
-        entries: &[
-            entry(
-                0,
-                wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Uniform,
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-            ),
-            entry(
-                1,
-                wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: true },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-            ),
-            entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
-        ],
-    })
+    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+    let types = [binding(wgpu::BufferBindingType::Uniform), texture, sampler];
+    gpu.layout("SceneBuffers::material_layout", types.map(|ty| (wgpu::ShaderStages::FRAGMENT, ty)))
 }
 
 fn materials(
@@ -151,10 +100,10 @@ fn materials(
             let bytes = u64::from(*width) * u64::from(*height) * 4;
             return Err(RenderError::TooLarge { what: "textures", bytes, most: u64::from(most) });
         }
-        Ok(textures::upload(&gpu.device, &gpu.queue, *width, *height, rgba))
+        Ok(textures::upload(gpu, *width, *height, rgba))
     };
     let textures = scene.textures.iter().map(upload).collect::<Result<Vec<_>, _>>()?;
-    let white = textures::upload(&gpu.device, &gpu.queue, 1, 1, &[255; 4]);
+    let white = textures::upload(gpu, 1, 1, &[255; 4]);
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("SceneBuffers::sampler"),
         address_mode_u: wgpu::AddressMode::Repeat,
@@ -172,15 +121,12 @@ fn materials(
             .map_err(|e| RenderError::Device(e.to_string()))?;
         let colour = filled(gpu, "materials", &uniform.into_inner(), wgpu::BufferUsages::UNIFORM)?;
         let texture = material.texture.map_or(&white, |index| &textures[index]);
-        Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("SceneBuffers::material"),
-            layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: colour.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(texture) },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
-            ],
-        }))
+        let resources = [
+            colour.as_entire_binding(),
+            wgpu::BindingResource::TextureView(texture),
+            wgpu::BindingResource::Sampler(&sampler),
+        ];
+        Ok(gpu.bind_group("SceneBuffers::material", layout, resources))
     };
     scene.materials.iter().map(group).collect()
 }

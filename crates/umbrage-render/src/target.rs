@@ -1,28 +1,26 @@
-//! Where a frame is drawn when there is no window, and the picture that comes of it.
+//! What a frame is drawn into.
 
 use crate::error::RenderError;
-use crate::gpu::{Coming, Gpu};
-
-/// A picture on the CPU, rows from top to bottom: sRGB, or linear where it shows visibility.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
-    /// Width, pixels.
-    pub width: u32,
-    /// Height, pixels.
-    pub height: u32,
-    /// `4 · width · height` bytes.
-    pub rgba: Vec<u8>,
-}
+use crate::frame::Show;
+use crate::gpu::Gpu;
+use crate::picture::{ComingPicture, Picture};
 
 /// What colour targets are. Visibility is drawn into the linear one, so that ½ is stored as 128.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
-    #[default]
     Srgb,
     Linear,
 }
 
 impl Encoding {
+    /// What a picture is drawn into.
+    pub fn of(show: &Show) -> Self {
+        match show {
+            Show::Visibility(_) | Show::Nothing => Self::Linear,
+            Show::World | Show::Unshadowed | Show::Given(_) | Show::Marked(_) => Self::Srgb,
+        }
+    }
+
     pub fn format(self) -> wgpu::TextureFormat {
         match self {
             Self::Srgb => wgpu::TextureFormat::Rgba8UnormSrgb,
@@ -33,26 +31,41 @@ impl Encoding {
 
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// Textures of one size, made anew when the size changes.
+/// What tells targets apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Shape {
+    pub size: [u32; 2],
+    pub encoding: Encoding,
+    pub samples: u32,
+}
+
+impl Shape {
+    /// The target of a picture; `size` and `samples` are the frame's.
+    pub fn of(show: &Show, size: [u32; 2], samples: u32) -> Self {
+        let (size, samples) = match show {
+            Show::Nothing => ([1, 1], 1),
+            Show::Visibility(_) | Show::Given(_) => (size, 1),
+            Show::World | Show::Unshadowed | Show::Marked(_) => (size, if samples > 1 { 4 } else { 1 }),
+        };
+        Self { size, encoding: Encoding::of(show), samples }
+    }
+}
+
+/// Textures of one shape.
 #[derive(Debug)]
 pub(crate) struct Target {
-    pub width: u32,
-    pub height: u32,
-    pub samples: u32,
+    pub shape: Shape,
     resolved: wgpu::Texture,
     pub resolved_view: wgpu::TextureView,
+    /// The same as a window shows it: sRGB bytes, to be read as they are. `None` where the adapter cannot (GL).
+    pub shown: Option<wgpu::TextureView>,
     multisampled: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
 }
 
 impl Target {
-    pub fn new(
-        gpu: &Gpu,
-        width: u32,
-        height: u32,
-        encoding: Encoding,
-        samples: u32,
-    ) -> Result<Self, RenderError> {
+    pub fn new(gpu: &Gpu, shape: Shape) -> Result<Self, RenderError> {
+        let Shape { size: [width, height], encoding, samples } = shape;
         let most = gpu.device.limits().max_texture_dimension_2d;
         if width == 0 || height == 0 || width > most || height > most {
             return Err(RenderError::PictureSize { width, height, most });
@@ -60,7 +73,7 @@ impl Target {
         // As a window wants it: the bytes as they are, not the light that they stand for.
         let bytes: &[_] = if gpu.adapter.view_formats { &[wgpu::TextureFormat::Rgba8Unorm] } else { &[] };
         let texture = |label, format, sample_count, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
+            gpu.texture(&wgpu::TextureDescriptor {
                 label: Some(label),
                 size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
                 mip_level_count: 1,
@@ -78,7 +91,14 @@ impl Target {
         let multisampled =
             (samples > 1).then(|| view(&texture("Target::multisampled", encoding.format(), samples, none)));
         let depth = view(&texture("Target::depth", DEPTH_FORMAT, samples, none));
-        Ok(Self { width, height, samples, resolved_view: view(&resolved), resolved, multisampled, depth })
+        let shown = gpu.adapter.view_formats.then(|| {
+            resolved.create_view(&wgpu::TextureViewDescriptor {
+                format: Some(wgpu::TextureFormat::Rgba8Unorm),
+                usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+                ..Default::default()
+            })
+        });
+        Ok(Self { shape, resolved_view: view(&resolved), resolved, shown, multisampled, depth })
     }
 
     /// Starts a pass over the whole target: colour and (reversed) depth cleared.
@@ -120,15 +140,6 @@ impl Target {
         })
     }
 
-    /// The picture as a window shows it: sRGB bytes, to be read as they are.
-    pub fn shown(&self) -> wgpu::TextureView {
-        self.resolved.create_view(&wgpu::TextureViewDescriptor {
-            format: Some(wgpu::TextureFormat::Rgba8Unorm),
-            usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
-            ..Default::default()
-        })
-    }
-
     /// Starts to copy the picture to the CPU.
     pub fn request(&self, gpu: &Gpu) -> Result<ComingPicture, RenderError> {
         ComingPicture::of_texture(gpu, &self.resolved)
@@ -136,67 +147,6 @@ impl Target {
 
     /// Copies the picture to the CPU, and waits for it.
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
-        let coming = self.request(gpu)?;
-        gpu.wait()?;
-        coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())))
-    }
-}
-
-/// A picture on its way to the CPU.
-#[derive(Debug)]
-pub struct ComingPicture {
-    bytes: Coming,
-    width: u32,
-    height: u32,
-    stride: u32,
-}
-
-impl ComingPicture {
-    /// Starts to copy a texture of four bytes a texel to the CPU.
-    ///
-    /// # Errors
-    /// When it exceeds the adapter's buffers.
-    pub fn of_texture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Self, RenderError> {
-        let (width, height) = (texture.width(), texture.height());
-        let stride = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let size = u64::from(stride) * u64::from(height);
-        let most = gpu.device.limits().max_buffer_size;
-        if size > most {
-            return Err(RenderError::TooLarge { what: "picture", bytes: size, most });
-        }
-        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("ComingPicture::buffer"),
-            size,
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_texture_to_buffer(
-            texture.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(stride),
-                    rows_per_image: Some(height),
-                },
-            },
-            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        );
-        gpu.queue.submit([encoder.finish()]);
-        Ok(ComingPicture { bytes: Coming::new(buffer), width, height, stride })
-    }
-
-    /// The picture, once; `None` where it has not come yet. Never waits: poll the device, or submit, between two calls.
-    ///
-    /// # Errors
-    /// When the device fails.
-    pub fn take(&self) -> Option<Result<Picture, RenderError>> {
-        let Self { bytes, width, height, stride } = self;
-        let rgba = bytes.take(|bytes| {
-            let rows = bytes.chunks_exact(*stride as usize);
-            rows.flat_map(|row| &row[..*width as usize * 4]).copied().collect()
-        })?;
-        Some(rgba.map(|rgba| Picture { width: *width, height: *height, rgba }))
+        self.request(gpu)?.wait(gpu)
     }
 }

@@ -1,5 +1,7 @@
 //! Base colour textures, with mip-maps made on the CPU.
 
+use crate::gpu::Gpu;
+
 /// Halves a picture until it is one pixel; the mean is taken of linear light, as colours mix on screen.
 pub(crate) fn mip_chain(width: u32, height: u32, rgba: &[u8]) -> Vec<(u32, u32, Vec<u8>)> {
     let to_linear: [f32; 256] = std::array::from_fn(|i| linear_from_srgb(i as f32 / 255.0));
@@ -40,15 +42,9 @@ fn srgb_from_linear(l: f32) -> f32 {
 }
 
 /// A texture with its mip-maps on the GPU.
-pub(crate) fn upload(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    width: u32,
-    height: u32,
-    rgba: &[u8],
-) -> wgpu::TextureView {
+pub(crate) fn upload(gpu: &Gpu, width: u32, height: u32, rgba: &[u8]) -> wgpu::TextureView {
     let chain = mip_chain(width, height, rgba);
-    let texture = device.create_texture(&wgpu::TextureDescriptor {
+    let texture = gpu.texture(&wgpu::TextureDescriptor {
         label: Some("textures::base_colour"),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: chain.len() as u32,
@@ -59,7 +55,7 @@ pub(crate) fn upload(
         view_formats: &[],
     });
     for (level, (width, height, rgba)) in (0..).zip(&chain) {
-        queue.write_texture(
+        gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo {
                 texture: &texture,
                 mip_level: level,

@@ -5,19 +5,19 @@ use wgpu_profiler::{GpuProfiler, GpuProfilerSettings, GpuTimerQueryResult};
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 
-/// Milliseconds of one frame's stages.
+/// Says how long one frame's stages took, milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrameTimes {
-    /// Planning, culling and upload, on the CPU.
+    /// The time of planning, culling and upload, on the CPU.
     pub plan: f64,
-    /// All caster passes.
+    /// The time of all caster passes.
     pub casters: f64,
-    /// What makes of the maps what lookups read: moments, blurs, sums. 0 for filters that read depths; without timestamps
+    /// The time of making moments, blurs and sums of the maps. It is 0 for filters that read depths; without timestamps
     /// part of `casters`.
     pub filter: f64,
-    /// The shading pass, and the camera's depth before it where contact shadows need that.
+    /// The time of the shading pass, and of the camera's depth before it where contact shadows need that.
     pub shade: f64,
-    /// From the start of planning to the end of shading, by the wall clock.
+    /// The time from the start of planning to the end of shading, by the wall clock.
     pub frame: f64,
 }
 
@@ -32,16 +32,16 @@ impl std::ops::AddAssign for FrameTimes {
     }
 }
 
-/// What was drawn into one shadow view.
+/// Says what was drawn into one shadow view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ViewLoad {
-    /// Whose view it is.
+    /// The light whose view it is, counted from 0.
     pub light: usize,
-    /// Which split, or which face of a cube.
+    /// The split, or the face of a cube, counted from 0.
     pub split: usize,
-    /// Draw calls.
+    /// The number of draw calls.
     pub draws: usize,
-    /// Triangles.
+    /// The number of triangles, all instances together.
     pub triangles: u64,
 }
 
@@ -117,7 +117,7 @@ impl PassTimer {
     }
 
     /// Milliseconds of all passes labelled `CASTERS`, of those labelled `FILTER` and of those labelled `SHADE`, of the
-    /// oldest frame that is done and was not asked for yet. `None` where there is none, or the device has no timestamps.
+    /// oldest frame that is done and was not taken yet. `None` where there is none, or the device has no timestamps.
     pub fn take(&mut self, gpu: &Gpu) -> Option<[f64; 3]> {
         let period = gpu.queue.get_timestamp_period();
         let results = self.profiler.as_mut()?.process_finished_frame(period)?;

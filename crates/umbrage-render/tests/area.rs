@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{PIXELS, from_above, gpu, plate_over_ground};
+use common::{PIXELS, from_above, gpu, plate};
 use glam::Vec3;
 use umbrage_render::umbrage::{Filter, Settings};
 use umbrage_render::{Area, Frame, RenderError, Renderer, Show};
@@ -24,14 +24,13 @@ fn lights() -> [Light; 3] {
 
 #[test]
 fn one_sample_is_the_hard_shadow() {
-    let (gpu, scene) = (gpu(), plate_over_ground());
+    let (gpu, scene) = (gpu(), plate());
     let mut renderer = Renderer::new(&gpu, &scene, settings()).expect("a renderer");
     for light in lights() {
         let frame = from_above(&light, Show::Visibility(0));
         let area = renderer.area(&frame, 0, Area { samples: 1, degrees: 5.0 }).expect("a picture").visibility;
-        renderer.render(&frame).expect("a frame");
-        let picture = renderer.picture().expect("a picture");
-        let hard: Vec<f32> = picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect();
+        let drawn = renderer.render(&frame).expect("a frame").drawn;
+        let hard = drawn.picture().expect("a picture").visibility();
         assert!(hard.contains(&0.0) && hard.contains(&1.0), "{}: some is shadowed", light.name);
         assert_eq!(area, hard, "{}", light.name);
     }
@@ -39,7 +38,7 @@ fn one_sample_is_the_hard_shadow() {
 
 #[test]
 fn a_wider_light_has_a_wider_penumbra_and_its_times_are_those_of_all_samples() {
-    let (gpu, scene) = (gpu(), plate_over_ground());
+    let (gpu, scene) = (gpu(), plate());
     let mut renderer = Renderer::new(&gpu, &scene, settings()).expect("a renderer");
     for light in lights() {
         let frame = from_above(&light, Show::World);
@@ -59,12 +58,12 @@ fn a_wider_light_has_a_wider_penumbra_and_its_times_are_those_of_all_samples() {
 }
 
 #[test]
-fn areas_and_lamps_that_do_not_exist_are_refused_by_name() {
-    let (gpu, scene) = (gpu(), plate_over_ground());
+fn areas_and_lights_that_do_not_exist_are_refused_by_name() {
+    let (gpu, scene) = (gpu(), plate());
     let mut renderer = Renderer::new(&gpu, &scene, settings()).expect("a renderer");
     let frame = from_above(&lights()[0], Show::World);
-    let mut refused = |lamp, samples, degrees| -> RenderError {
-        renderer.area(&frame, lamp, Area { samples, degrees }).expect_err("no such area")
+    let mut refused = |light, samples, degrees| -> RenderError {
+        renderer.area(&frame, light, Area { samples, degrees }).expect_err("no such area")
     };
     for samples in [0, 1025, 2000, u32::MAX] {
         let text = refused(0, samples, 5.0).to_string();
@@ -74,7 +73,7 @@ fn areas_and_lamps_that_do_not_exist_are_refused_by_name() {
         let text = refused(0, 16, degrees).to_string();
         assert!(text.contains("degrees") && text.contains(&degrees.to_string()), "{text}");
     }
-    assert!(refused(1, 16, 5.0).to_string().contains("no lamp 1"));
+    assert!(refused(1, 16, 5.0).to_string().contains("no light 1"));
     let empty = Frame { width: 0, ..frame.clone() };
     assert!(matches!(
         renderer.area(&empty, 0, Area { samples: 2, degrees: 5.0 }),

@@ -1,9 +1,9 @@
-//! Contact shadows against a closed form: a wall of no thickness on a floor, under a sun and under a lamp, with a bias that
-//! is far too large.
+//! Contact shadows against a closed form: a wall of no thickness on a floor, under a sun and under a point light, with a bias
+//! that is far too large.
 
 use glam::{Vec2, Vec3};
 use umbrage_render::umbrage::{Bias, Camera, Contact, Light, Projection, Settings};
-use umbrage_render::{Frame, Gpu, Lamp, Renderer, Show};
+use umbrage_render::{Frame, FrameLight, Gpu, Renderer, Show};
 use umbrage_scene::{Instance, Material, Mesh, Primitive, Scene};
 
 const WIDTH: u32 = 320;
@@ -51,7 +51,7 @@ fn cameras() -> [Camera; 2] {
 fn lights() -> [Light; 2] {
     [
         Light::directional(Vec3::new(0.8, -0.5, 0.3)).expect("a sun"),
-        Light::point(Vec3::new(-4.0, 3.2, -1.0), 30.0).expect("a lamp"),
+        Light::point(Vec3::new(-4.0, 3.2, -1.0), 30.0).expect("a light"),
     ]
 }
 
@@ -60,20 +60,20 @@ fn visibility(gpu: &Gpu, scene: &Scene, camera: Camera, light: Light, contact: O
     let bias = Bias { constant: GAP, ..Bias::default() };
     let settings = Settings { bias, contact, ..Settings::default() };
     let mut renderer = Renderer::new(gpu, scene, settings).expect("a renderer");
-    let lamps = vec![Lamp { light, colour: Vec3::ONE, cone: [0.0; 2] }];
+    let lights = vec![FrameLight { light, colour: Vec3::ONE, cone: [0.0; 2] }];
     let show = Show::Visibility(0);
     let frame = Frame {
         camera,
         planned_for: None,
-        lamps,
+        lights,
         seconds: 0.0,
         width: WIDTH,
         height: HEIGHT,
         samples: 1,
         show,
     };
-    renderer.render(&frame).expect("a frame");
-    renderer.picture().expect("a picture").rgba.into_iter().step_by(4).collect()
+    let drawn = renderer.render(&frame).expect("a frame").drawn;
+    drawn.picture().expect("a picture").rgba.into_iter().step_by(4).collect()
 }
 
 /// Whether the way from `from` along `way` (shares 0 to 1) meets the wall.
@@ -94,7 +94,7 @@ fn truth(camera: Camera, light: Light) -> Vec<Option<bool>> {
         let floor = camera.eye() - way * (camera.eye().y / way.y);
         let is_seen =
             way.y < 0.0 && floor.abs().max_element() < 5.9 && !meets_wall(camera.eye(), floor - camera.eye());
-        // The whole way to a lamp, and farther than the wall is high to a sun.
+        // The whole way to a point light, and farther than the wall is high to a sun.
         is_seen.then(|| !meets_wall(floor, light.direction_from(floor) * 10.0))
     };
     pixels.map(of_pixel).collect()

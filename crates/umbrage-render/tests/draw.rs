@@ -11,18 +11,16 @@ use umbrage_render::{Frame, Gpu, Mark, Picture, Rendered, Renderer, Show};
 use umbrage_scene::{Scene, load_glb_bytes, to_glb, worlds};
 
 fn frame(scene: &Scene, show: Show) -> Frame {
-    let (width, height) = (320, 180);
-    let camera =
-        umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a good camera");
-    let lamps = scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
-    Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show }
+    Frame::of(&scene.cameras[0], &scene.lights, 0.0, [320, 180], show).expect("a good camera and lights")
 }
 
 fn draw(gpu: &Gpu, scene: &Scene, settings: Settings, cull_parts: bool) -> (Rendered, Picture, MapTexels) {
     let mut renderer = Renderer::new(gpu, scene, settings).expect("a renderer");
     renderer.cull_parts = cull_parts;
     let rendered = renderer.render(&frame(scene, Show::Visibility(0))).expect("a frame");
-    (rendered, renderer.picture().expect("a picture"), renderer.maps().expect("maps"))
+    let picture = rendered.drawn.picture().expect("a picture");
+    let maps = renderer.maps(&rendered.drawn).expect("maps");
+    (rendered, picture, maps)
 }
 
 #[test]
@@ -33,7 +31,8 @@ fn culling_parts_halves_what_a_large_file_draws_and_changes_no_texel_that_is_rea
     assert!(scene.triangles() > 1_500_000 && scene.instances.len() == 300, "{} triangles", scene.triangles());
     let largest = scene.meshes.iter().map(umbrage_scene::Mesh::triangles).max();
     assert!(largest > Some(280_000), "one mesh is large: {largest:?}");
-    let triangles = |rendered: &Rendered| rendered.views.iter().map(|view| view.triangles).sum::<u64>();
+    let triangles =
+        |rendered: &Rendered| rendered.drawn.loads().iter().map(|view| view.triangles).sum::<u64>();
     for select in [Select::Map, Select::Depth] {
         let settings = Settings { filter: Filter::Hard {}, select, ..Settings::default() };
         let (culled, picture, maps) = draw(&gpu, &scene, settings.clone(), true);
@@ -63,8 +62,8 @@ fn an_exported_world_draws_as_the_built_in_one() {
     for show in [Show::World, Show::Visibility(0)] {
         let picture = |scene: &Scene| {
             let mut renderer = Renderer::new(&gpu, scene, Settings::default()).expect("a renderer");
-            renderer.render(&frame(scene, show.clone())).expect("a frame");
-            renderer.picture().expect("a picture")
+            let drawn = renderer.render(&frame(scene, show.clone())).expect("a frame").drawn;
+            drawn.picture().expect("a picture")
         };
         assert!(picture(&built_in) == picture(&from_file), "{show:?}: the pictures differ");
     }
@@ -77,7 +76,8 @@ fn wide_filters_lose_no_caster_to_culling() {
     let settings = Settings { filter: Filter::Pcf { size: 9 }, resolution: 256, ..Settings::default() };
     let (culled, picture, _) = draw(&gpu, &scene, settings.clone(), true);
     let (all, picture_of_all, _) = draw(&gpu, &scene, settings, false);
-    let triangles = |rendered: &Rendered| rendered.views.iter().map(|view| view.triangles).sum::<u64>();
+    let triangles =
+        |rendered: &Rendered| rendered.drawn.loads().iter().map(|view| view.triangles).sum::<u64>();
     assert!(triangles(&culled) < triangles(&all), "something is culled");
     assert!(picture == picture_of_all, "visibility is the same");
 }
@@ -118,8 +118,8 @@ fn moving_things_move_with_time_and_come_back() {
     let scene = worlds::build("brick-ground", 0).expect("a world");
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let mut at = |seconds| {
-        renderer.render(&Frame { seconds, ..frame(&scene, Show::World) }).expect("a frame");
-        renderer.picture().expect("a picture")
+        let drawn = renderer.render(&Frame { seconds, ..frame(&scene, Show::World) }).expect("a frame").drawn;
+        drawn.picture().expect("a picture")
     };
     let (start, later, again) = (at(0.0), at(1.3), at(0.0));
     let moved = start.rgba.chunks(4).zip(later.rgba.chunks(4)).filter(|(a, b)| a != b).count();
@@ -133,8 +133,8 @@ fn pictures_show_shadow_sky_and_splits_where_they_should() {
     let scene = worlds::build("primitives", 0).expect("a world");
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let mut shown = |show| {
-        renderer.render(&frame(&scene, show)).expect("a frame");
-        renderer.picture().expect("a picture").rgba
+        let drawn = renderer.render(&frame(&scene, show)).expect("a frame").drawn;
+        drawn.picture().expect("a picture").rgba
     };
     let (world, plain, splits, visibility) = (
         shown(Show::World),
@@ -162,28 +162,4 @@ fn pictures_show_shadow_sky_and_splits_where_they_should() {
     }
     assert!(shadowed > 500 && lit > 20_000, "{shadowed} shadowed, {lit} lit");
     assert!(tinted > 20_000, "{tinted} pixels are tinted");
-}
-
-#[test]
-fn every_shader_of_the_renderer_is_valid_wgsl() {
-    use umbrage_render::umbrage::{Capabilities, Contact, caster_wgsl, contact_wgsl, receiver_wgsl};
-    let check = |text: String| {
-        let module =
-            naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
-        let (flags, capabilities) = (naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
-        let result = naga::valid::Validator::new(flags, capabilities).validate(&module);
-        result.unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
-    };
-    check(caster_wgsl() + include_str!("../shaders/caster.wgsl"));
-    for select in [Select::Depth, Select::ClipDepth, Select::Map] {
-        for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
-            let settings = Settings { select, filter, ..Settings::default() };
-            let shadows = receiver_wgsl(&settings, Capabilities::ALL, 1);
-            let shade = include_str!("../shaders/shade.wgsl");
-            check(shadows.clone() + include_str!("../shaders/contact/maps.wgsl") + shade);
-            check(shadows.clone() + include_str!("../shaders/ask.wgsl"));
-            let contact = contact_wgsl(&Contact::default(), 3) + include_str!("../shaders/contact/both.wgsl");
-            check(shadows + &contact + shade);
-        }
-    }
 }

@@ -14,10 +14,7 @@ fn world() -> Scene {
 }
 
 fn frame(scene: &Scene, show: Show) -> Frame {
-    let (width, height) = (160, 96);
-    let camera = umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a camera");
-    let lamps = vec![umbrage_render::lamp(&scene.lights[0], 0.0).expect("a lamp")];
-    Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show }
+    Frame::of(&scene.cameras[0], &scene.lights[..1], 0.0, [160, 96], show).expect("a camera and a light")
 }
 
 fn read(gpu: &Gpu, texture: &wgpu::TextureView) -> Picture {
@@ -30,15 +27,15 @@ fn read(gpu: &Gpu, texture: &wgpu::TextureView) -> Picture {
 fn a_frame_that_nobody_waits_for_is_the_same_picture() {
     let (gpu, scene) = (gpu(), world());
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
-    renderer.render(&frame(&scene, Show::World)).expect("a frame");
-    let waited_for = renderer.picture().expect("a picture");
+    let rendered = renderer.render(&frame(&scene, Show::World)).expect("a frame");
+    let waited_for = rendered.drawn.picture().expect("a picture");
     let mut beside = renderer.beside(Settings::default()).expect("another renderer");
     let drawn = beside.draw(&frame(&scene, Show::World)).expect("a frame");
-    assert_eq!(drawn.views.len(), 4);
-    let coming = beside.coming_picture().expect("a copy");
+    assert_eq!(drawn.loads().len(), 4);
+    let coming = drawn.coming_picture().expect("a copy");
     gpu.wait().expect("a device");
     assert_eq!(coming.take().expect("it has come").expect("a picture"), waited_for);
-    assert_eq!(read(&gpu, &beside.shown().expect("a texture")), waited_for);
+    assert_eq!(read(&gpu, &drawn.shown().expect("a texture")), waited_for);
 }
 
 #[test]
@@ -47,10 +44,11 @@ fn a_map_picture_is_what_the_map_holds() {
     for warp in [Warp::None, Warp::Lispsm] {
         let settings = Settings { resolution: 256, warp, ..Settings::default() };
         let mut renderer = Renderer::new(&gpu, &scene, settings).expect("a renderer");
-        let tile = renderer.render(&frame(&scene, Show::World)).expect("a frame").plan.views()[1].tile;
-        let maps = renderer.maps().expect("maps");
+        let drawn = renderer.render(&frame(&scene, Show::World)).expect("a frame").drawn;
+        let tile = drawn.plan().views()[1].tile;
+        let maps = renderer.maps(&drawn).expect("maps");
         let stored = |x: u32, y: u32| maps.depth(tile, i64::from(x), i64::from(y));
-        let mut look = |look| read(&gpu, &renderer.map_picture(1, look, 256).expect("a picture"));
+        let mut look = |look| read(&gpu, &renderer.map_picture(&drawn, 1, look, 256).expect("a picture"));
         let plain = look(MapLook::default());
         let inverted = look(MapLook { invert: true, ..MapLook::default() });
         let stretched = look(MapLook { stretch: true, even: true, ..MapLook::default() });
@@ -64,13 +62,15 @@ fn a_map_picture_is_what_the_map_holds() {
         assert_eq!((greys.iter().min(), greys.iter().max()), (Some(&0), Some(&255)), "all greys are used");
     }
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
-    let nothing = renderer.map_picture(0, MapLook::default(), 16).map(drop).expect_err("nothing was drawn");
+    let unshadowed = renderer.render(&frame(&scene, Show::Unshadowed)).expect("a frame").drawn;
+    let nothing =
+        renderer.map_picture(&unshadowed, 0, MapLook::default(), 16).map(drop).expect_err("no maps");
     assert!(nothing.to_string().contains("view 0"), "{nothing}");
     let sky = Camera::looking("c", Vec3::new(0.0, 90.0, 0.0), Vec3::new(1.0, 200.0, 0.0), 1.0, 0.5, 50.0);
     let sky = umbrage_render::camera(&sky, 160.0 / 96.0).expect("a camera");
-    renderer.render(&Frame { camera: sky, ..frame(&scene, Show::World) }).expect("a frame");
+    let drawn = renderer.render(&Frame { camera: sky, ..frame(&scene, Show::World) }).expect("a frame").drawn;
     let look = MapLook { stretch: true, ..MapLook::default() };
-    let empty = read(&gpu, &renderer.map_picture(0, look, 16).expect("a picture"));
+    let empty = read(&gpu, &renderer.map_picture(&drawn, 0, look, 16).expect("a picture"));
     assert!(empty.rgba.iter().all(|grey| *grey == 255), "an empty map is far all over");
 }
 
@@ -79,14 +79,14 @@ fn a_plan_for_another_camera_shadows_what_that_camera_sees() {
     let (gpu, scene) = (gpu(), world());
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let looking = frame(&scene, Show::World);
-    let own = renderer.render(&looking).expect("a frame").plan;
+    let own = renderer.render(&looking).expect("a frame").drawn;
     let elsewhere = Camera::looking("c", Vec3::new(0.0, 40.0, 0.1), Vec3::ZERO, 1.0, 0.5, 200.0);
     let elsewhere = umbrage_render::camera(&elsewhere, 160.0 / 96.0).expect("a camera");
     let from_there = Frame { camera: elsewhere, planned_for: Some(looking.camera), ..looking };
-    let frozen = renderer.render(&from_there).expect("a frame").plan;
-    assert_eq!(frozen.views(), own.views());
-    let followed = renderer.render(&Frame { planned_for: None, ..from_there }).expect("a frame").plan;
-    assert_ne!(followed.views(), own.views());
+    let frozen = renderer.render(&from_there).expect("a frame").drawn;
+    assert_eq!(frozen.plan().views(), own.plan().views());
+    let followed = renderer.render(&Frame { planned_for: None, ..from_there }).expect("a frame").drawn;
+    assert_ne!(followed.plan().views(), own.plan().views());
 }
 
 #[test]
@@ -94,8 +94,8 @@ fn marks_change_surfaces_and_not_the_sky() {
     let (gpu, scene) = (gpu(), world());
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let mut shown = |show| {
-        renderer.render(&frame(&scene, show)).expect("a frame");
-        renderer.picture().expect("a picture")
+        let drawn = renderer.render(&frame(&scene, show)).expect("a frame").drawn;
+        drawn.picture().expect("a picture")
     };
     let (plain, sky) = (shown(Show::World), shown(Show::Visibility(0)));
     assert_eq!(sky.rgba[0], 255, "the upper left corner is sky, which is lit");

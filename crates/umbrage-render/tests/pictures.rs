@@ -24,13 +24,10 @@ const DIFFERENT: u8 = 24;
 fn draw(gpu: &Gpu, world: &str, show: Show) -> GrayImage {
     let scene = worlds::build(world, 0).expect("a built-in world");
     let (width, height) = (128, 72);
-    let camera =
-        umbrage_render::camera(&scene.cameras[0], width as f32 / height as f32).expect("a good camera");
-    let lamps = scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
-    let frame = Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show };
+    let frame =
+        Frame::of(&scene.cameras[0], &scene.lights, 0.0, [width, height], show).expect("a good camera");
     let mut renderer = Renderer::new(gpu, &scene, Settings::default()).expect("a renderer");
-    renderer.render(&frame).expect("a frame");
-    let picture = renderer.picture().expect("a picture");
+    let picture = renderer.render(&frame).expect("a frame").drawn.picture().expect("a picture");
     let grey = picture.rgba.as_chunks::<4>().0.iter().map(|[r, g, b, _]| {
         let sum = u32::from(*r) + u32::from(*g) + u32::from(*b);
         (sum / 3) as u8

@@ -2,7 +2,7 @@
 
 use glam::{Mat4, Vec3};
 
-/// An axis-aligned box, in whatever space its owner names. Empty when any `min` exceeds its `max`.
+/// An axis-aligned box, in the space that its owner names. It is empty where a `min` exceeds its `max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// The smallest coordinates inside.
@@ -12,36 +12,36 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box that holds nothing; the union of it with any box is that box.
+    /// The box that holds nothing. Its union with any box is that box.
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
-    /// The smallest box that holds all `points`.
+    /// Returns the smallest box that holds all `points`.
     pub fn of_points(points: impl IntoIterator<Item = Vec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |sum, p| Self { min: sum.min.min(p), max: sum.max.max(p) })
     }
 
-    /// The smallest box that holds both.
+    /// Returns the smallest box that holds both boxes.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// Whether nothing is inside.
+    /// Whether the box holds nothing.
     pub fn is_empty(self) -> bool {
         !self.min.cmple(self.max).all()
     }
 
-    /// The middle of the box.
+    /// Returns the middle of the box.
     pub fn centre(self) -> Vec3 {
         (self.min + self.max) * 0.5
     }
 
-    /// Edge lengths.
+    /// Returns the lengths of the box's edges.
     pub fn size(self) -> Vec3 {
         self.max - self.min
     }
 
-    /// The box around this box after `matrix`, an affine transform (Arvo, *Transforming Axis-Aligned Bounding
+    /// Returns the box around this box after `matrix`, an affine transform (Arvo, *Transforming Axis-Aligned Bounding
     /// Boxes*, Graphics Gems, 1990).
     #[must_use]
     pub fn transformed(self, matrix: &Mat4) -> Self {

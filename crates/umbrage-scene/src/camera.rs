@@ -2,38 +2,40 @@
 
 use glam::{Mat4, Vec3};
 
-/// A place to see the world from, as a glTF camera node has it. The aspect ratio belongs to the picture, not to it.
+/// A camera is a place to see the world from, as a glTF camera node has it. The aspect ratio belongs to the picture, and not
+/// to the camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// What the file or the world calls it.
+    /// The name that the file or the world gives the camera.
     pub name: String,
-    /// Rigid: columns are right, up, back and eye, in world space.
+    /// The camera's rigid transform: the columns are right, up, back and eye, in world space.
     pub world_from_camera: Mat4,
-    /// How it projects.
+    /// The lens, which says how the camera projects.
     pub lens: Lens,
-    /// Nearest visible depth, metres.
+    /// The view depth of the nearest thing that is visible, in metres.
     pub near: f32,
-    /// Farthest visible depth, metres.
+    /// The view depth of the farthest thing that is visible, in metres.
     pub far: f32,
 }
 
-/// How a camera projects.
+/// A lens says how a camera projects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lens {
-    /// A pinhole; `fov_y` is the whole vertical angle, radians.
+    /// The rays meet in a pinhole.
     Perspective {
-        /// Whole vertical field of view, radians.
+        /// The whole vertical field of view, in radians.
         fov_y: f32,
     },
-    /// Parallel rays; half the height of the visible box, metres.
+    /// The rays are parallel.
     Orthographic {
-        /// Half the height of the visible box, metres.
+        /// Half the height of the visible box, in metres.
         half_height: f32,
     },
 }
 
 impl Camera {
-    /// A perspective camera at `eye` that looks at `target` with world Y up (world Z where the view is vertical).
+    /// Makes a perspective camera at `eye` that looks at `target` with world Y up, or world Z where the view is vertical.
+    /// `fov_y` is the whole vertical field of view in radians, `near` and `far` are view depths in metres.
     pub fn looking(name: &str, eye: Vec3, target: Vec3, fov_y: f32, near: f32, far: f32) -> Self {
         Self {
             name: name.to_owned(),
@@ -44,12 +46,12 @@ impl Camera {
         }
     }
 
-    /// Where the camera stands, in world space.
+    /// Returns where the camera stands, in world space.
     pub fn eye(&self) -> Vec3 {
         self.world_from_camera.w_axis.truncate()
     }
 
-    /// Unit direction of view, in world space.
+    /// Returns the unit direction of view, in world space.
     pub fn forward(&self) -> Vec3 {
         -self.world_from_camera.z_axis.truncate()
     }
@@ -65,24 +67,24 @@ pub(crate) fn world_from_looking(eye: Vec3, target: Vec3) -> Mat4 {
     Mat4::from_cols(right.extend(0.0), up.extend(0.0), (-forward).extend(0.0), eye.extend(1.0))
 }
 
-/// A deterministic flight: at share `t` of the way the camera is on a Catmull-Rom curve through its keys.
+/// A camera path is a deterministic flight along a Catmull-Rom curve through its keys.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraPath {
-    /// The places the curve goes through, evenly spaced in time. Empty where a world has no path.
+    /// The places that the curve goes through, evenly spaced in time. The list is empty where a world has no path.
     pub keys: Vec<PathKey>,
 }
 
-/// One place on a [`CameraPath`].
+/// A key is one place on a [`CameraPath`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathKey {
-    /// Where the camera is, in world space.
+    /// The camera's position, in world space.
     pub eye: Vec3,
-    /// What it looks at, in world space.
+    /// The point that the camera looks at, in world space.
     pub target: Vec3,
 }
 
 impl CameraPath {
-    /// The camera's rigid transform at share `t` (0 to 1) of the path; `None` for a path without keys.
+    /// Returns the camera's rigid transform at share `t`, 0 to 1, of the path; `None` for a path without keys.
     pub fn world_from_camera(&self, t: f32) -> Option<Mat4> {
         let last = self.keys.len().checked_sub(1)?;
         let along = t.clamp(0.0, 1.0) * last as f32;

@@ -5,38 +5,38 @@ use std::path::Path;
 
 use thiserror::Error;
 
-/// Why a scene could not be read or written. Every message is one line.
+/// The reason that a scene could not be read or written. Every message is one line.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// The operating system would not give us the file.
+    /// The operating system does not let the file be read.
     #[error("cannot read the file, {reason}: {path}")]
     Read {
-        /// What the operating system says.
+        /// The reason that the operating system gives.
         reason: String,
-        /// Which file.
+        /// The path of the file.
         path: String,
     },
-    /// The file's name does not tell a format that is known.
+    /// The file's name does not end in one of the known formats.
     #[error("need a file that ends in .glb, .gltf or .obj: {path}")]
     UnknownKind {
-        /// Which file.
+        /// The path of the file.
         path: String,
     },
     /// The file's content is not a scene.
     #[error("{fault}: {path}")]
     Malformed {
-        /// What is wrong, and what was wanted.
+        /// What is wrong, and what was needed.
         fault: String,
-        /// Which file.
+        /// The path of the file.
         path: String,
     },
-    /// The scene has no place in a glTF file, because its values contradict each other or are not finite.
+    /// The scene cannot be written as glTF, because its values contradict each other or are not finite.
     #[error("{fault}, in scene {scene:?}")]
     Unwritable {
-        /// What is wrong, and what was wanted.
+        /// What is wrong, and what was needed.
         fault: String,
-        /// The scene's name.
+        /// The name of the scene.
         scene: String,
     },
 }
@@ -64,14 +64,14 @@ impl Fault {
 }
 
 /// Enough for any message of ours; files may hold names as long as they like.
-const LONGEST_CHARS: usize = 300;
+const MAX_CHARS: usize = 300;
 
 /// The text without line breaks and other control characters, cut where it is absurdly long.
 pub(crate) fn one_line(text: impl Display) -> String {
     let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
     let text = text.to_string();
     let mut chars = text.chars().map(|c| if breaks(c) { ' ' } else { c });
-    let mut line: String = chars.by_ref().take(LONGEST_CHARS).collect();
+    let mut line: String = chars.by_ref().take(MAX_CHARS).collect();
     if chars.next().is_some() {
         line.push('…');
     }
@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn a_name_of_a_megabyte_is_cut() {
         let line = one_line("x".repeat(1 << 20));
-        assert_eq!(line.chars().count(), LONGEST_CHARS + 1);
+        assert_eq!(line.chars().count(), MAX_CHARS + 1);
         assert!(line.ends_with('…'));
     }
 }

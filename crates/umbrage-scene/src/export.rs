@@ -18,7 +18,7 @@ use self::bytes::Document;
 use crate::error::{Fault, SceneError};
 use crate::{Scene, extras};
 
-/// The bytes of a `.glb` file that holds the scene.
+/// Writes a scene as the bytes of a `.glb` file.
 ///
 /// # Errors
 ///

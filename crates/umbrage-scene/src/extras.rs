@@ -1,7 +1,8 @@
 //! What glTF has no words for: how instances and lights move, and the camera's path. They travel as `extras`, under one key:
 //!
 //! - of the scene: `{"umbrage": {"path": [[eye, target], …]}}`
-//! - of the node of an instance or a light: `{"umbrage": {"turn": {"centre": …, "axis": …, "radians_per_second": …}}}`
+//! - of the node of an instance or a light that rotates: `{"umbrage": {"turn": {"centre": …, "axis": …,
+//!   "radians_per_second": …}}}`
 //!
 //! Points and directions are lists of three numbers, in world space.
 
@@ -31,13 +32,13 @@ pub(crate) fn of_path(path: &CameraPath) -> Result<Extras, Fault> {
 pub(crate) fn of_motion(motion: &Motion) -> Result<Extras, Fault> {
     match *motion {
         Motion::Still => Ok(None),
-        Motion::Turn { centre, axis, radians_per_second } => {
-            let turn = [
+        Motion::Rotation { centre, axis, radians_per_second } => {
+            let rotation = [
                 ("centre", list(centre)?),
                 ("axis", list(axis)?),
                 ("radians_per_second", number(radians_per_second)?),
             ];
-            extras("turn", turn.into_iter().collect())
+            extras("turn", rotation.into_iter().collect())
         }
     }
 }
@@ -54,13 +55,14 @@ pub(crate) fn path_of(extras: &Extras) -> Result<CameraPath, Fault> {
 
 /// The motion in the extras of a node; still where there is none.
 pub(crate) fn motion_of(extras: &Extras) -> Result<Motion, Fault> {
-    let Some(turn) = value(extras, "turn") else {
+    let Some(rotation) = value(extras, "turn") else {
         return Ok(Motion::Still);
     };
     let read = || {
-        let axis = vector(turn.get("axis")?).filter(|axis| (axis.length() - 1.0).abs() <= UNIT_TOLERANCE)?;
-        let radians_per_second = float(turn.get("radians_per_second")?)?;
-        Some(Motion::Turn { centre: vector(turn.get("centre")?)?, axis, radians_per_second })
+        let axis =
+            vector(rotation.get("axis")?).filter(|axis| (axis.length() - 1.0).abs() <= UNIT_TOLERANCE)?;
+        let radians_per_second = float(rotation.get("radians_per_second")?)?;
+        Some(Motion::Rotation { centre: vector(rotation.get("centre")?)?, axis, radians_per_second })
     };
     read().ok_or_else(|| malformed("turn"))
 }

@@ -16,17 +16,17 @@ use std::fs;
 use std::path::Path;
 
 use self::files::Files;
-pub(crate) use self::pictures::LONGEST_SIDE_PX;
+pub(crate) use self::pictures::MAX_SIDE_PX;
 use self::warnings::Warnings;
 use crate::Scene;
 use crate::error::{Fault, SceneError};
 
-/// A scene from a file, and what of the file is not in it.
+/// A scene that was read from a file, with warnings about what of the file is not in it.
 #[derive(Clone, Debug)]
 pub struct Imported {
-    /// The scene; it has triangles, cameras, lights and a camera path, even where the file has not.
+    /// The scene. It has triangles, cameras, lights and a camera path, even where the file has none.
     pub scene: Scene,
-    /// What was left out, a line a kind.
+    /// The warnings about what was left out, one line for each kind.
     pub warnings: Vec<String>,
 }
 
@@ -50,8 +50,8 @@ pub fn load(path: &Path) -> Result<Imported, SceneError> {
     if !kind.is_file() {
         return Err(SceneError::read("it is not a regular file", path));
     }
-    if kind.len() > MOST_FILE_BYTES {
-        let why = format!("it has {} bytes, and at most {MOST_FILE_BYTES} are read", kind.len());
+    if kind.len() > MAX_FILE_BYTES {
+        let why = format!("it has {} bytes, and at most {MAX_FILE_BYTES} are read", kind.len());
         return Err(SceneError::read(why, path));
     }
     let bytes = fs::read(path).map_err(|why| SceneError::read(why, path))?;
@@ -80,7 +80,7 @@ pub fn load_obj_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> 
 }
 
 /// No file of the scenes that the budget lets in needs more: it is read as a whole.
-const MOST_FILE_BYTES: u64 = 4 << 30;
+const MAX_FILE_BYTES: u64 = 4 << 30;
 
 /// A format's reader: the bytes of the file, the scene's name, the files around it.
 type Read = fn(&[u8], &str, Files<'_>, &mut Warnings) -> Result<Scene, Fault>;

@@ -5,47 +5,47 @@ use glam::{Mat4, Vec3};
 use crate::Motion;
 use crate::camera::world_from_looking;
 
-/// A light and where it stands.
+/// A light of a scene, with its place and its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// What the file or the world calls it.
+    /// The name that the file or the world gives the light.
     pub name: String,
-    /// Where it stands at time 0. Rigid: the light shines down its own −Z.
+    /// The light's rigid transform at time 0: the light shines down its own −Z.
     pub world_from_light: Mat4,
-    /// Linear RGB, 0 to 1.
+    /// The colour as linear RGB, each 0 to 1.
     pub colour: Vec3,
-    /// Lux for directional lights, candela for spot and point lights: a surface that faces one of `intensity` candela
-    /// at `distance` gets `intensity / distance²` lux. [`crate::worlds`] says what is bright.
+    /// The intensity, in lux for directional lights and in candela for spot and point lights: a surface that faces a light of
+    /// `intensity` candela at `distance` gets `intensity / distance²` lux. [`crate::worlds`] says what is bright.
     pub intensity: f32,
-    /// Its shape.
+    /// The kind of the light.
     pub kind: LightKind,
-    /// How it moves from where it stands at time 0.
+    /// The motion of the light from where it stands at time 0.
     pub motion: Motion,
 }
 
-/// The shapes of light that glTF knows.
+/// The kinds of light that glTF knows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {
-    /// Parallel rays, as from the sun.
+    /// The light's rays are parallel, as those of the sun.
     Directional,
-    /// A cone; half angles in radians, range in metres (infinite where the file gives none).
+    /// The light shines within a cone.
     Spot {
-        /// Half the angle inside which the light is at full strength, radians.
+        /// Half the angle of the inner cone, in radians, within which the light is at full strength.
         inner: f32,
-        /// Half the angle outside which there is no light, radians.
+        /// Half the angle of the outer cone, in radians, outside which there is no light.
         outer: f32,
-        /// Reach, metres.
+        /// The distance at which light ends, in metres; infinite where the file gives none.
         range: f32,
     },
-    /// All directions; range in metres (infinite where the file gives none).
+    /// The light shines in all directions.
     Point {
-        /// Reach, metres.
+        /// The distance at which light ends, in metres; infinite where the file gives none.
         range: f32,
     },
 }
 
 impl Light {
-    /// A sun whose light travels along `direction` (any length), with white light of `intensity` lux.
+    /// Makes a sun whose light travels along `direction`, of any length, with white light of `intensity` lux.
     pub fn sun(direction: Vec3, intensity: f32) -> Self {
         Self {
             name: "sun".to_owned(),
@@ -57,9 +57,9 @@ impl Light {
         }
     }
 
-    /// A white cone of light from `eye` towards `target`, both in world space. At full strength to `inner_radians` from
-    /// the middle of the cone, dark from `outer_radians` on (half angles, 0 ≤ inner < outer < π/2), and dark beyond
-    /// `range` metres.
+    /// Makes a white spot light at `eye` that shines towards `target`, both in world space. It is at full strength to
+    /// `inner_radians` from the middle of the cone and dark from `outer_radians` on (half angles, 0 ≤ inner < outer < π/2),
+    /// and dark beyond `range` metres.
     pub fn spot(
         name: &str,
         eye: Vec3,
@@ -79,7 +79,7 @@ impl Light {
         }
     }
 
-    /// A white light that shines from `position`, in world space, in all directions; dark beyond `range` metres.
+    /// Makes a white light that shines from `position`, in world space, in all directions, and is dark beyond `range` metres.
     pub fn point(name: &str, position: Vec3, range: f32, candela: f32) -> Self {
         Self {
             name: name.to_owned(),
@@ -91,17 +91,17 @@ impl Light {
         }
     }
 
-    /// Where it stands `seconds` after the start; exactly [`Self::world_from_light`] at 0.
+    /// Returns where the light stands `seconds` after the start; exactly [`Self::world_from_light`] at 0.
     pub fn world_from_light_at(&self, seconds: f32) -> Mat4 {
         self.motion.moved(self.world_from_light, seconds)
     }
 
-    /// The unit direction in which the light shines at time 0, in world space.
+    /// Returns the unit direction in which the light shines at time 0, in world space.
     pub fn direction(&self) -> Vec3 {
         -self.world_from_light.z_axis.truncate()
     }
 
-    /// Where the light stands at time 0, in world space; without meaning for a directional light.
+    /// Returns the light's position at time 0, in world space; it has no meaning for a directional light.
     pub fn position(&self) -> Vec3 {
         self.world_from_light.w_axis.truncate()
     }

@@ -2,33 +2,33 @@
 
 use glam::Vec4;
 
-/// A surface: the part of glTF's metallic-roughness material that shadow work needs.
+/// A material says what a surface looks like: the part of glTF's metallic-roughness material that shadow work needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// What the file or the world calls it.
+    /// The name that the file or the world gives the material.
     pub name: String,
-    /// Linear RGBA, multiplied with the texture's colour.
+    /// The base colour as linear RGBA, which is multiplied with the texture's colour.
     pub base_colour: Vec4,
-    /// Index into [`crate::Scene::textures`].
+    /// The index of the texture in [`crate::Scene::textures`]; `None` for a plain colour.
     pub texture: Option<usize>,
 }
 
 impl Material {
-    /// A surface of one colour, linear RGB.
+    /// Makes a material of one opaque colour, given as linear RGB.
     pub fn plain(name: &str, red: f32, green: f32, blue: f32) -> Self {
         Self { name: name.to_owned(), base_colour: Vec4::new(red, green, blue, 1.0), texture: None }
     }
 }
 
-/// A picture: sRGB with linear alpha, 8 bits each, rows from top to bottom; it repeats.
+/// A texture is a picture that repeats: sRGB with linear alpha, 8 bits each, in rows from top to bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
-    /// What the file or the world calls it.
+    /// The name that the file or the world gives the texture.
     pub name: String,
-    /// Width, pixels.
+    /// The width, in pixels.
     pub width: u32,
-    /// Height, pixels.
+    /// The height, in pixels.
     pub height: u32,
-    /// `4 · width · height` bytes.
+    /// The pixels: `4 · width · height` bytes.
     pub rgba: Vec<u8>,
 }

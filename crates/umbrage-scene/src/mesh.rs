@@ -11,53 +11,54 @@ use glam::{Vec2, Vec3};
 
 use crate::Aabb;
 
-/// A shape in its own space: vertices as one array per attribute, all of equal length, and triangles sorted by part.
+/// A mesh is a shape in its own space: vertices as one array for each attribute, all of equal length, and triangles sorted by
+/// part.
 #[derive(Clone, Debug)]
 pub struct Mesh {
-    /// What the file or the world calls it.
+    /// The name that the file or the world gives the mesh.
     pub name: String,
-    /// Corners, in mesh space.
+    /// The positions of the vertices, in mesh space.
     pub positions: Vec<Vec3>,
-    /// Unit normals, in mesh space.
+    /// The unit normals of the vertices, in mesh space.
     pub normals: Vec<Vec3>,
-    /// Texture coordinates, v down.
+    /// The texture coordinates of the vertices, v down.
     pub uvs: Vec<Vec2>,
-    /// Three a triangle, counter-clockwise seen from outside; all in range.
+    /// The vertices of the triangles, three each, counter-clockwise seen from outside; all are in range.
     pub indices: Vec<u32>,
-    /// The pieces; their ranges follow each other and cover `indices`.
+    /// The parts of the mesh; their ranges follow each other and cover `indices`.
     pub parts: Vec<Part>,
     /// The box around all triangles, in mesh space.
     pub bounds: Aabb,
 }
 
-/// A piece of a mesh: neighbouring triangles of one material.
+/// A part is a piece of a mesh: neighbouring triangles of one material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Which of the mesh's `indices` it draws; a multiple of three.
+    /// The range of the mesh's `indices` that the part draws; its length is a multiple of three.
     pub indices: Range<u32>,
-    /// Index into [`crate::Scene::materials`].
+    /// The index of the material in [`crate::Scene::materials`].
     pub material: usize,
-    /// The box around its triangles, in mesh space.
+    /// The box around the part's triangles, in mesh space.
     pub bounds: Aabb,
 }
 
-/// Triangles of one material, before they are cut into parts.
+/// A primitive is triangles of one material, before they are cut into parts.
 #[derive(Clone, Debug, Default)]
 pub struct Primitive {
-    /// Corners, in mesh space.
+    /// The positions of the vertices, in mesh space.
     pub positions: Vec<Vec3>,
-    /// Unit normals, as many as positions.
+    /// The unit normals of the vertices, as many as positions.
     pub normals: Vec<Vec3>,
-    /// Texture coordinates, as many as positions.
+    /// The texture coordinates of the vertices, as many as positions.
     pub uvs: Vec<Vec2>,
-    /// Three a triangle, all in range.
+    /// The vertices of the triangles, three each; all are in range.
     pub indices: Vec<u32>,
-    /// Index into [`crate::Scene::materials`].
+    /// The index of the material in [`crate::Scene::materials`].
     pub material: usize,
 }
 
 impl Part {
-    /// Enough to keep draws few, few enough to keep boxes tight.
+    /// The maximum number of triangles in a part: enough to keep draws few, and few enough to keep boxes tight.
     pub const MAX_TRIANGLES: usize = 2048;
 }
 
@@ -98,7 +99,7 @@ impl Mesh {
         self.cut(triangles.collect(), material);
     }
 
-    /// How many triangles.
+    /// Returns the number of triangles.
     pub fn triangles(&self) -> usize {
         self.indices.len() / 3
     }

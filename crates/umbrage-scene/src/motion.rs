@@ -2,33 +2,33 @@
 
 use glam::{Mat4, Vec3};
 
-/// How an instance or a light moves.
+/// The motion of an instance or a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Motion {
-    /// It never does.
+    /// The thing stands still, the default.
     #[default]
     Still,
-    /// It turns about an axis through `centre`, in world space: a wheel where the centre is its own, a march in a
-    /// circle where it is far.
-    Turn {
-        /// A point on the axis, in world space.
+    /// The thing rotates about an axis through `centre`: it is a wheel where the centre is its own, and marches in a circle
+    /// where the centre is far.
+    Rotation {
+        /// A point on the axis, in world space and metres.
         centre: Vec3,
-        /// Unit direction of the axis, in world space.
+        /// The unit direction of the axis, in world space.
         axis: Vec3,
-        /// Counter-clockwise seen against the axis.
+        /// The angular velocity in radians a second, counter-clockwise seen against the axis.
         radians_per_second: f32,
     },
 }
 
 impl Motion {
-    /// Where something stands `seconds` after the start that begins at `world_from_thing`; exactly there at 0.
+    /// Returns where something stands `seconds` after the start, if it begins at `world_from_thing`; exactly there at 0.
     pub fn moved(&self, world_from_thing: Mat4, seconds: f32) -> Mat4 {
         match *self {
-            Self::Turn { centre, axis, radians_per_second } if seconds != 0.0 => {
-                let turn = Mat4::from_axis_angle(axis, radians_per_second * seconds);
-                Mat4::from_translation(centre) * turn * Mat4::from_translation(-centre) * world_from_thing
+            Self::Rotation { centre, axis, radians_per_second } if seconds != 0.0 => {
+                let rotation = Mat4::from_axis_angle(axis, radians_per_second * seconds);
+                Mat4::from_translation(centre) * rotation * Mat4::from_translation(-centre) * world_from_thing
             }
-            Self::Turn { .. } | Self::Still => world_from_thing,
+            Self::Rotation { .. } | Self::Still => world_from_thing,
         }
     }
 }
@@ -38,11 +38,14 @@ mod tests {
     use super::*;
     use crate::{Instance, Light};
 
-    const QUARTER_A_SECOND: Motion =
-        Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: std::f32::consts::FRAC_PI_2 };
+    const QUARTER_A_SECOND: Motion = Motion::Rotation {
+        centre: Vec3::ZERO,
+        axis: Vec3::Y,
+        radians_per_second: std::f32::consts::FRAC_PI_2,
+    };
 
     #[test]
-    fn a_quarter_turn_about_the_origin_takes_x_to_minus_z() {
+    fn a_quarter_rotation_about_the_origin_takes_x_to_minus_z() {
         let start = Mat4::from_translation(Vec3::X);
         assert_eq!(QUARTER_A_SECOND.moved(start, 0.0), start);
         let moved = QUARTER_A_SECOND.moved(start, 1.0).transform_point3(Vec3::ZERO);
@@ -56,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lamp_carried_by_an_instance_stays_with_it() {
+    fn a_light_carried_by_an_instance_stays_with_it() {
         let light = Light {
             motion: QUARTER_A_SECOND,
             ..Light::spot("lamp", Vec3::new(3.0, 2.0, 1.0), Vec3::ZERO, 0.2, 0.4, 9.0, 1.0)

@@ -32,14 +32,14 @@ const CREASE: f32 = 0.7;
 /// A closed surface, or a [`sheet`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solid {
-    /// Corners, metres.
+    /// The corners, in metres.
     pub points: Vec<Vec3>,
-    /// Three corners each, counter-clockwise seen from outside.
+    /// The triangles: three corners each, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Solid {
-    /// Transforms it; a mirror keeps the outside outside.
+    /// Transforms the solid; a mirror keeps the outside outside.
     pub fn at(mut self, transform: Affine3A) -> Self {
         for point in &mut self.points {
             *point = transform.transform_point3(*point);
@@ -50,35 +50,35 @@ impl Solid {
         self
     }
 
-    /// Shifts it.
+    /// Shifts the solid, by metres.
     pub fn moved(self, x: f32, y: f32, z: f32) -> Self {
         self.at(Affine3A::from_translation(Vec3::new(x, y, z)))
     }
 
-    /// Turns it about the origin by angles in radians: first about Z, then X, then Y.
+    /// Rotates the solid about the origin by angles in radians: first about Z, then X, then Y.
     pub fn turned(self, x: f32, y: f32, z: f32) -> Self {
-        let turn = Quat::from_rotation_y(y) * Quat::from_rotation_x(x) * Quat::from_rotation_z(z);
-        self.at(Affine3A::from_quat(turn))
+        let rotation = Quat::from_rotation_y(y) * Quat::from_rotation_x(x) * Quat::from_rotation_z(z);
+        self.at(Affine3A::from_quat(rotation))
     }
 
-    /// Stretches it about the origin.
+    /// Scales the solid about the origin.
     pub fn scaled(self, x: f32, y: f32, z: f32) -> Self {
         self.at(Affine3A::from_scale(Vec3::new(x, y, z)))
     }
 
-    /// It and its mirror image across the plane x = 0.
+    /// Joins the solid with its mirror image across the plane x = 0.
     pub fn both_sides(self) -> Self {
         let mirrored = self.clone().scaled(-1.0, 1.0, 1.0);
         self.and(mirrored)
     }
 
-    /// It `count` times, evenly spread about the Y axis.
+    /// Repeats the solid `count` times, evenly spread about the Y axis.
     pub fn around(self, count: usize) -> Self {
         let step = std::f32::consts::TAU / count as f32;
         (0..count).map(|i| self.clone().turned(0.0, i as f32 * step, 0.0)).fold(Self::default(), Self::and)
     }
 
-    /// Both solids as one; they may overlap.
+    /// Joins two solids, which may overlap.
     pub fn and(mut self, other: Self) -> Self {
         let base = self.points.len() as u32;
         self.points.extend(other.points);
@@ -113,7 +113,7 @@ impl Solid {
         }
     }
 
-    /// With normals and texture coordinates, as triangles of one material.
+    /// Makes triangles of one material, with normals and texture coordinates.
     pub fn painted(&self, material: usize) -> Primitive {
         let faces: Vec<Vec3> = self.triangles.iter().map(|t| self.face(t)).collect();
         let mut around: Vec<Vec<u32>> = vec![Vec::new(); self.points.len()];
@@ -150,6 +150,11 @@ impl Solid {
         let [a, b, c] = triangle.map(|i| self.points[i as usize]);
         (b - a).cross(c - a)
     }
+}
+
+/// The transform that joins one model to another: it turns by `yaw` radians about Y, and then shifts.
+pub(crate) fn put(x: f32, y: f32, z: f32, yaw: f32) -> Affine3A {
+    Affine3A::from_rotation_translation(Quat::from_rotation_y(yaw), Vec3::new(x, y, z))
 }
 
 /// Metres along the two axes that the normal is farthest from, v down.

@@ -16,7 +16,6 @@ mod knights;
 mod mining_terrain;
 mod night_chessboard;
 mod orbit;
-mod paint;
 mod picture;
 mod primitives;
 mod robot_war;
@@ -27,37 +26,34 @@ mod tutorial_room;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use paint::Paint;
-pub(crate) use stage::{Dice, put};
-
 use crate::Scene;
 
-/// A world that can be built.
+/// A world that can be built by its name.
 #[derive(Clone, Copy, Debug)]
 pub struct World {
-    /// What it is called on the command line.
+    /// The name of the world on the command line.
     pub name: &'static str,
-    /// The publication it is modelled after.
+    /// The publication that the world is modelled after, or what it was made for.
     pub source: &'static str,
-    /// What is in it, in one line.
+    /// A summary of what is in the world, in one line.
     pub summary: &'static str,
     build: fn(u64) -> Scene,
 }
 
 impl World {
-    /// Makes it. The same `seed` gives the same scene; seed 0 is the one in the pictures.
+    /// Builds the world. The same `seed` gives the same scene; seed 0 is the one in the pictures.
     pub fn build(&self, seed: u64) -> Scene {
         (self.build)(seed)
     }
 }
 
-/// The world that is shown when none is asked for.
+/// The name of the world that is shown when none is asked for.
 pub const DEFAULT: &str = "mining-terrain";
 
 const THESIS: &str = "Ferko 2010, figure 5.5";
 const PSSM: &str = "Zhang et al. 2006, table 1";
 
-/// All built-in worlds, small ones first.
+/// All built-in worlds, of which small ones come first.
 pub const ALL: &[World] = &[
     World {
         name: "primitives",
@@ -139,7 +135,7 @@ pub const ALL: &[World] = &[
     },
 ];
 
-/// The world called `name`, or `None` where there is none.
+/// Builds the world called `name`; `None` where there is none of that name.
 pub fn build(name: &str, seed: u64) -> Option<Scene> {
     ALL.iter().find(|world| world.name == name).map(|world| world.build(seed))
 }

@@ -233,7 +233,7 @@ fn a_lights_motion_is_read_and_a_malformed_one_ignored_with_a_warning() {
     doc.nodes = format!(r#"{{"mesh": 0}}, {}, {}"#, lamp(turn), lamp("3"));
     doc.rest = r#", "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}}"#.to_owned();
     let Imported { scene, warnings } = doc.load().unwrap();
-    let turn = Motion::Turn { centre: Vec3::Y, axis: Vec3::Y, radians_per_second: 2.0 };
+    let turn = Motion::Rotation { centre: Vec3::Y, axis: Vec3::Y, radians_per_second: 2.0 };
     assert_eq!(scene.lights.iter().map(|light| light.motion).collect::<Vec<_>>(), [turn, Motion::Still]);
     assert_eq!(warnings.len(), 1, "{warnings:?}");
 }

@@ -20,7 +20,7 @@ fn bits(scene: &Scene) -> Vec<String> {
     }
     let movement = |motion: &Motion| match motion {
         Motion::Still => String::new(),
-        Motion::Turn { centre, axis, radians_per_second } => {
+        Motion::Rotation { centre, axis, radians_per_second } => {
             vector(centre) + &vector(axis) + &floats(&[*radians_per_second])
         }
     };
@@ -94,7 +94,7 @@ fn primitive() -> impl Strategy<Value = Primitive> {
 }
 
 fn motion() -> impl Strategy<Value = Motion> {
-    let turn = (point(), direction(), number()).prop_map(|(centre, axis, pace)| Motion::Turn {
+    let turn = (point(), direction(), number()).prop_map(|(centre, axis, pace)| Motion::Rotation {
         centre,
         axis,
         radians_per_second: pace,
@@ -314,7 +314,7 @@ fn scenes_that_contradict_themselves_are_not_written() {
         |scene| scene.cameras[0].far = f32::NAN,
         |scene| {
             scene.lights[0].motion =
-                Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: f32::NAN };
+                Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: f32::NAN };
         },
         |scene| scene.path.keys[0].eye.y = f32::NAN,
     ];

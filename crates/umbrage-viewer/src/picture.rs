@@ -90,20 +90,17 @@ fn draw(viewer: &mut Viewer, ui: &egui::Ui, rect: Rect) -> Result<(), RenderErro
 /// The frame that a picture of so many pixels is.
 fn frame(choices: &Choices, stage: &Stage, [width, height]: [u32; 2]) -> Result<Frame, RenderError> {
     let aspect = width as f32 / height as f32;
-    let lamps = choices.lights(stage.scene()).into_iter();
+    let lights = choices.lights(stage.scene());
+    let show = umbrage_render::Show::World;
+    let frame = Frame::of(&choices.camera(), &lights, choices.seconds, [width, height], show)?;
     Ok(Frame {
-        camera: umbrage_render::camera(&choices.camera(), aspect)?,
         planned_for: choices
             .frozen
             .as_ref()
             .map(|camera| umbrage_render::camera(camera, aspect))
             .transpose()?,
-        lamps: lamps.map(|light| umbrage_render::lamp(&light, choices.seconds)).collect::<Result<_, _>>()?,
-        seconds: choices.seconds,
-        width,
-        height,
         samples: if choices.smooth { 4 } else { 1 },
-        show: umbrage_render::Show::World,
+        ..frame
     })
 }
 

@@ -29,11 +29,12 @@ pub struct Stage {
 /// One way to draw it.
 struct Side {
     renderer: Renderer,
-    /// The picture, and what egui knows it as where egui puts it on the screen.
+    /// The picture as a texture, and what egui knows it as where egui puts it on the screen.
     shown: Option<wgpu::TextureView>,
     picture: Shown,
     /// What is in the picture.
     frame: Option<Frame>,
+    /// The picture itself: it is held as long as it is shown.
     drawn: Option<Drawn>,
     /// Of frames whose times have not come yet: what planning took, or `None` where times are not wanted.
     awaited: VecDeque<Option<f64>>,
@@ -111,13 +112,12 @@ impl Stage {
             return Ok(false);
         }
         let drawn = side.renderer.draw(frame)?;
-        // What is asked of the renderer later is drawn into other textures.
-        let shown = side.renderer.shown()?;
+        let shown = drawn.shown()?;
         if self.blit.is_none() {
             side.picture.show(&self.window, &shown);
         }
         side.shown = Some(shown);
-        side.awaited.push_back(Some(drawn.plan_milliseconds));
+        side.awaited.push_back(Some(drawn.plan_milliseconds()));
         side.frame = Some(frame.clone());
         side.drawn = Some(drawn);
         Ok(true)
@@ -145,15 +145,19 @@ impl Stage {
         Ok(Some((times.frame, size)))
     }
 
-    /// Draws something else of a side to be read, beside its picture.
+    /// Draws something else of a side to be read, beside its picture: from the picture's own maps, where it has any.
     ///
     /// # Errors
     /// As [`Renderer::draw`].
     pub fn ask(&mut self, side: usize, frame: &Frame) -> Result<ComingPicture, RenderError> {
-        let side = &mut self.sides[side];
-        side.renderer.draw(frame)?;
-        side.awaited.push_back(None);
-        side.renderer.coming_picture()
+        let Side { renderer, drawn, awaited, .. } = &mut self.sides[side];
+        let has_maps = |drawn: &&Drawn| !drawn.plan().views().is_empty() && renderer.has_maps_of(drawn);
+        let beside = match drawn.as_ref().filter(has_maps) {
+            Some(drawn) => renderer.show(drawn, &frame.show)?,
+            None => renderer.draw(frame)?,
+        };
+        awaited.push_back(None);
+        beside.coming_picture()
     }
 
     /// A side's picture as it is, on its way to be saved.
@@ -161,8 +165,7 @@ impl Stage {
     /// # Errors
     /// When nothing was drawn yet.
     pub fn picture_to_save(&mut self, side: usize) -> Result<Option<ComingPicture>, RenderError> {
-        let Some(frame) = self.sides[side].frame.clone() else { return Ok(None) };
-        self.ask(side, &frame).map(Some)
+        self.sides[side].drawn.as_ref().map(Drawn::coming_picture).transpose()
     }
 
     /// What covers a rectangle of the screen with a side's picture.
@@ -177,12 +180,12 @@ impl Stage {
 
     /// The plan of a side's picture.
     pub fn plan(&self, side: usize) -> Option<&ShadowPlan> {
-        Some(&self.sides.get(side)?.drawn.as_ref()?.plan)
+        Some(self.sides.get(side)?.drawn.as_ref()?.plan())
     }
 
     /// What was drawn into each of its views.
     pub fn loads(&self, side: usize) -> &[ViewLoad] {
-        self.sides.get(side).and_then(|side| side.drawn.as_ref()).map_or(&[], |drawn| &drawn.views)
+        self.sides.get(side).and_then(|side| side.drawn.as_ref()).map_or(&[], Drawn::loads)
     }
 
     /// Bytes of a side's maps and of what is made of them.
@@ -190,10 +193,10 @@ impl Stage {
         self.sides.get(side).map_or(0, |side| side.renderer.shadows().bytes())
     }
 
-    /// The tile of a view of the first side, painted.
+    /// The tile of a view of the first side, painted; as it was painted before, where its maps are to be drawn anew.
     ///
     /// # Errors
-    /// As [`Renderer::map_picture`].
+    /// As [`Renderer::map_picture`]; and when nothing was drawn.
     pub fn map(
         &mut self,
         side: usize,
@@ -201,7 +204,12 @@ impl Stage {
         look: MapLook,
         side_px: u32,
     ) -> Result<egui::TextureId, RenderError> {
-        let picture = self.sides[side].renderer.map_picture(view, look, side_px)?;
+        let Side { renderer, drawn, .. } = &mut self.sides[side];
+        let drawn = drawn.as_ref().ok_or(RenderError::NoSuchView { view, views: 0 })?;
+        if let Some(id) = self.map.id.filter(|_| !renderer.has_maps_of(drawn)) {
+            return Ok(id);
+        }
+        let picture = renderer.map_picture(drawn, view, look, side_px)?;
         Ok(self.map.show(&self.window, &picture))
     }
 

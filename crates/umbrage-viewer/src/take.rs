@@ -91,7 +91,7 @@ impl Cell<'_> {
     /// Never for settings that are valid.
     pub fn experiment(&self, world_file: Option<&str>) -> Result<String, String> {
         let mut set = edit::file(self.settings).map_err(|why| why.to_string())?;
-        set = set.replace("[shadows", "[ways.set");
+        set = set.replace("[shadows", "[variants.set");
         let (world, camera) = match world_file {
             Some(file) => (file, CAMERA),
             None => (self.world, self.named().unwrap_or(CAMERA)),
@@ -103,7 +103,7 @@ impl Cell<'_> {
              title = {title}\nsource = \"this project\"\nreported = \"A cell saved from the viewer.\"\n\
              worlds = [{world}]\ncameras = [{camera}]\nsize = [{width}, {height}]\n\
              columns = [\"error.mis_shadowed\", \"error.false_shadow\", \"error.false_light\", \"error.edge_displacement_px\"]\n\n\
-             [[ways]]\nname = \"viewer\"\n\n{set}",
+             [[variants]]\nname = \"viewer\"\n\n{set}",
             title = quoted(&format!("{} from the viewer", self.scene.name)),
             world = quoted(world),
             camera = quoted(camera),

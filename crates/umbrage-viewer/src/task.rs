@@ -82,7 +82,7 @@ impl Sorting {
                 crate::web::sorted(triangles).await
             }
             #[cfg(not(target_arch = "wasm32"))]
-            Ok(World::sorted(triangles()))
+            Ok(World::build(triangles()))
         })
     }
 }

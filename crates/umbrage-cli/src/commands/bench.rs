@@ -4,7 +4,7 @@ use serde::Serialize;
 use umbrage::{Camera, Settings};
 use umbrage_judge::statistics::Spread;
 use umbrage_lab::{Milliseconds, Shot};
-use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
+use umbrage_render::{Frame, Gpu, Rendered, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
 use crate::args::BenchArgs;
@@ -67,7 +67,9 @@ pub fn run(args: &BenchArgs) -> Outcome {
         let counted = number.checked_sub(args.warm_up);
         let share = counted.unwrap_or(0) as f32 / (args.frames.max(2) - 1) as f32;
         let frame = along_path(&shot, &scene, args, share)?;
-        let rendered = renderer.render(&frame)?;
+        let Rendered { drawn, times } = renderer.render(&frame)?;
+        loads = drawn.loads().to_vec();
+        drop(drawn);
         let mut others = None;
         if args.baselines {
             let unshadowed = renderer.render(&Frame { show: Show::Unshadowed, ..frame.clone() })?.times;
@@ -76,11 +78,10 @@ pub fn run(args: &BenchArgs) -> Outcome {
             renderer.cull_parts = true;
         }
         if counted.is_some() {
-            samples.push(rendered.times);
+            samples.push(times);
             no_shadows.extend(others.map(|(times, _)| times));
             no_culling.extend(others.map(|(_, times)| times));
         }
-        loads = rendered.views;
         bar.inc(1);
     }
     bar.finish_and_clear();

@@ -4,15 +4,15 @@
 //! The last column is exact.
 
 use anyhow::Context as _;
-use image::{DynamicImage, GrayImage, RgbaImage};
-use umbrage::{LightKind, MapTexels, Preset, ShadowPlan};
+use image::RgbaImage;
+use umbrage::{LightKind, Preset, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
-use umbrage_render::{Frame, Gpu, Mark, Picture, Show};
+use umbrage_render::{Drawn, Frame, Gpu, Mark, Picture, Renderer, Show};
 use umbrage_scene::Scene;
 
 use crate::args::DemoArgs;
 use crate::commands::plan::splits_text;
-use crate::commands::render::grey_map;
+use crate::commands::render::GREY_MAP;
 use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
 use crate::{commands::view, output, progress, world};
@@ -128,11 +128,10 @@ fn column(
     let judged = laboratory.judge(shot, &settings, None, TruthKind::Hard, RUNS)?;
     let renderer = laboratory.renderer();
     let smooth = |show| Ok::<_, anyhow::Error>(Frame { samples: 4, ..shot.frame(show)? });
-    renderer.render(&smooth(Show::World)?)?;
-    let shadowed = image_of(renderer.picture()?)?;
-    let maps = renderer.maps().ok().map(|maps| thumbnails(&maps, &judged.plan)).unwrap_or_default();
-    renderer.render(&smooth(Show::Marked(Mark::Splits))?)?;
-    let tinted = image_of(renderer.picture()?)?;
+    let drawn = renderer.render(&smooth(Show::World)?)?.drawn;
+    let shadowed = image_of(drawn.picture()?)?;
+    let maps = thumbnails(renderer, &drawn);
+    let tinted = image_of(renderer.show(&drawn, &Show::Marked(Mark::Splits))?.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
     let Judged { heat_map, true_picture, plan: judged_plan, .. } = judged;
     let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);
@@ -192,12 +191,12 @@ fn image_of(picture: Picture) -> anyhow::Result<RgbaImage> {
         .context("a picture has four bytes a pixel")
 }
 
-fn thumbnails(maps: &MapTexels, plan: &ShadowPlan) -> Vec<RgbaImage> {
-    let views = plan.views().iter().take(MOST_VIEWS);
-    views
-        .filter_map(|view| GrayImage::from_raw(view.tile.size, view.tile.size, grey_map(maps, view)))
-        .map(|grey| DynamicImage::ImageLuma8(grey).into_rgba8())
-        .collect()
+/// The first maps; none where the adapter cannot read them (GL).
+fn thumbnails(renderer: &mut Renderer, drawn: &Drawn) -> Vec<RgbaImage> {
+    let views = drawn.plan().views().iter().take(MOST_VIEWS);
+    let painted =
+        views.map_while(|view| renderer.read_map_picture(drawn, view.index, GREY_MAP, view.tile.size).ok());
+    painted.filter_map(|map| image_of(map).ok()).collect()
 }
 
 fn compose(heading: &str, columns: &[Column]) -> anyhow::Result<RgbaImage> {

@@ -37,7 +37,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
     let scene = world::load(&args.world.world, args.world.seed)?;
     let frame = world::frame(&args.world, &scene, Show::World)?;
     let bounds = umbrage_render::bounds(&scene, frame.seconds);
-    let lights: Vec<Light> = frame.lamps.iter().map(|lamp| lamp.light).collect();
+    let lights: Vec<Light> = frame.lights.iter().map(|light| light.light).collect();
     let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::usage)?;
     match &args.json {
         Some(path) => output::write_json(path, &report(&scene.name, scene.triangles(), &settings, &plan))?,

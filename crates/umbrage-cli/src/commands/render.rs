@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use image::ExtendedColorType;
-use umbrage::{MapTexels, Settings, ShadowView};
+use umbrage::Settings;
 use umbrage_lab::aliasing::{Aliasing, AliasingSummary, heat_map};
 use umbrage_lab::{Laboratory, Shot};
-use umbrage_render::{Area, Frame, Gpu, Mark, RenderError, Renderer, Show};
+use umbrage_render::{Area, Drawn, Frame, Gpu, MapLook, Mark, RenderError, Renderer, Show};
 use umbrage_scene::Scene;
 
 use crate::args::RenderArgs;
@@ -45,36 +45,34 @@ pub fn run(args: &RenderArgs) -> Outcome {
             None => frame.show.clone(),
             Some(area) => Show::Given(soft(&mut renderer, &frame, area)?),
         };
-        renderer.render(&Frame { show, ..frame.clone() })?;
-        let picture = renderer.picture()?;
+        let picture = renderer.render(&Frame { show, ..frame.clone() })?.drawn.picture()?;
         output::write_png(path, picture.width, picture.height, &picture.rgba, ExtendedColorType::Rgba8)?;
     }
     if let Some(folder) = &args.maps {
-        let rendered = renderer.render(&Frame { show: Show::Nothing, ..frame })?;
-        write_maps(folder, &renderer.maps()?, rendered.plan.views())?;
+        let drawn = renderer.render(&Frame { show: Show::Nothing, ..frame })?.drawn;
+        write_maps(folder, &mut renderer, &drawn)?;
     }
     Ok(())
 }
 
-/// How much of a lamp's light reaches each pixel, 0 to 1.
+/// How much of a light reaches each pixel, 0 to 1.
 fn visibility(
     renderer: &mut Renderer,
     frame: &Frame,
-    lamp: usize,
+    light: usize,
     area: Option<Area>,
 ) -> Result<Vec<f32>, RenderError> {
     if let Some(area) = area {
-        return Ok(renderer.area(frame, lamp, area)?.visibility);
+        return Ok(renderer.area(frame, light, area)?.visibility);
     }
-    renderer.render(&Frame { show: Show::Visibility(lamp), ..frame.clone() })?;
-    let picture = renderer.picture()?;
-    Ok(picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0).collect())
+    let frame = Frame { show: Show::Visibility(light), ..frame.clone() };
+    Ok(renderer.render(&frame)?.drawn.picture()?.visibility())
 }
 
-/// The same of every lamp that has some size, one after the other.
+/// The same of every light that has some size, one after the other.
 fn soft(renderer: &mut Renderer, frame: &Frame, area: Area) -> Result<Vec<f32>, RenderError> {
-    let lamps = (0..frame.lamps.len()).map(|lamp| Ok(renderer.area(frame, lamp, area)?.visibility));
-    Ok(lamps.collect::<Result<Vec<_>, RenderError>>()?.concat())
+    let lights = (0..frame.lights.len()).map(|light| Ok(renderer.area(frame, light, area)?.visibility));
+    Ok(lights.collect::<Result<Vec<_>, RenderError>>()?.concat())
 }
 
 /// Writes how large texels look, and says it in a few numbers.
@@ -95,26 +93,16 @@ fn write_aliasing(path: &Path, gpu: &Gpu, scene: &Scene, shot: &Shot, settings: 
     Ok(())
 }
 
-fn write_maps(folder: &Path, maps: &MapTexels, views: &[ShadowView]) -> anyhow::Result<()> {
+fn write_maps(folder: &Path, renderer: &mut Renderer, drawn: &Drawn) -> anyhow::Result<()> {
     std::fs::create_dir_all(folder)?;
-    for view in views {
+    for view in drawn.plan().views() {
         let path = folder.join(format!("light{}-split{}.png", view.light, view.split));
-        output::write_png(
-            &path,
-            view.tile.size,
-            view.tile.size,
-            &grey_map(maps, view),
-            ExtendedColorType::L8,
-        )?;
+        let map = renderer.read_map_picture(drawn, view.index, GREY_MAP, view.tile.size)?;
+        let grey: Vec<u8> = map.rgba.into_iter().step_by(4).collect();
+        output::write_png(&path, map.width, map.height, &grey, ExtendedColorType::L8)?;
     }
     Ok(())
 }
 
 /// A map as grey: near dark, far pale, stretched over what is in it; white where nothing is.
-pub fn grey_map(maps: &MapTexels, view: &ShadowView) -> Vec<u8> {
-    let cast = || maps.tile(view.tile).filter(|depth| *depth < 1.0);
-    let (near, far) = (cast().fold(1.0, f32::min), cast().fold(0.0, f32::max));
-    let range = (far - near).max(1e-6);
-    let grey = |depth: f32| if depth < 1.0 { 20.0 + 200.0 * (depth - near) / range } else { 255.0 };
-    maps.tile(view.tile).map(|depth| grey(depth) as u8).collect()
-}
+pub const GREY_MAP: MapLook = MapLook { invert: false, stretch: true, greys: [20, 220], even: false };

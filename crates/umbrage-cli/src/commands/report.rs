@@ -16,15 +16,15 @@ pub fn run(args: &ReportArgs) -> Outcome {
     let store = Store::open(&args.output)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let hash = |world: &str| scenes.get(world).map_or_else(|| Ok(String::new()), files::scene_hash);
-    let entries = experiment.cells(&gpu.adapter.to_string(), &files::program_hash()?, hash)?;
+    let entries = experiment.runs(&gpu.adapter.to_string(), &files::program_hash()?, hash)?;
     let rows = measure(&gpu, &scenes, &entries, &store)?;
     let name = args.experiment.file_stem().map_or_else(|| "report".into(), |stem| stem.to_string_lossy());
     let path = |extension: &str| args.output.join(format!("{name}.{extension}"));
-    let page = page::html(&experiment, &args.experiment.to_string_lossy(), &rows)?;
+    let report = page::report(&experiment, &args.experiment.to_string_lossy(), &rows)?;
     output::write_json(&path("json"), &csv::json(&experiment, &rows)?)?;
     files::write(&path("csv"), csv::csv(&experiment, &rows).as_bytes())?;
     contact_sheet::write(&experiment, &rows, &args.output, &name)?;
-    files::write(&path("html"), page.as_bytes())?;
+    report.write(&args.output, &name)?;
     eprintln!("page: {}", path("html").display());
     Ok(())
 }
@@ -48,32 +48,32 @@ fn read(path: &Path) -> Outcome<(Experiment, BTreeMap<String, Scene>)> {
     }
 }
 
-/// Every cell's result; worlds are uploaded when a cell first needs them.
+/// Every run's outcome; worlds are uploaded when a run first needs them.
 fn measure(
     gpu: &Gpu,
     scenes: &BTreeMap<String, Scene>,
     entries: &[Entry],
     store: &Store,
 ) -> Result<Vec<Row>, LabError> {
-    let bar = progress::bar(entries.len() as u64, "cells");
+    let bar = progress::bar(entries.len() as u64, "runs");
     let mut current: Option<(&str, Laboratory<'_>)> = None;
-    let rows = umbrage_lab::run(
+    let rows = umbrage_lab::measure_all(
         entries,
         store,
-        |cell| {
+        |run| {
             let (name, scene) = scenes
-                .get_key_value(&cell.world)
-                .ok_or_else(|| LabError::World { name: cell.world.clone() })?;
+                .get_key_value(&run.world)
+                .ok_or_else(|| LabError::World { name: run.world.clone() })?;
             let (_, laboratory) = match current.take().filter(|(current, _)| current == name) {
                 Some(same) => current.insert(same),
                 None => current.insert((name, Laboratory::new(gpu, scene)?)),
             };
-            laboratory.measure(cell)
+            laboratory.measure(run)
         },
         |_, _, was_stored| {
             bar.inc(1);
             if was_stored {
-                // Stored cells take no time, and say nothing of how long the others will.
+                // Stored runs take no time, and say nothing of how long the others will.
                 bar.reset_eta();
             }
         },

@@ -7,29 +7,30 @@
 /// The first pass's step, pixels.
 const COARSEST: u32 = 16;
 
-/// At most about so many rays are traced for a tile: a millisecond or two of a slow core, in a world of a million triangles.
-const RAYS: usize = 1024;
+/// The maximum number of rays for a tile, about: a millisecond or two of a slow core, in a world of a million triangles.
+const MAX_RAYS: usize = 1024;
 
-/// A tile's least side, steps, however many lights there are: smaller ones would be more to keep than to trace.
-const LEAST_SIDE: usize = 8;
+/// A tile's minimum side, in steps, however many lights there are: smaller ones would be more to keep than to trace.
+const MIN_SIDE: usize = 8;
 
-/// A part of a picture that is traced at once.
+/// A tile is a part of a picture that is traced at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Its left side, pixels.
+    /// The tile's left side, in pixels.
     pub x: u32,
-    /// Its upper side, pixels.
+    /// The tile's upper side, in pixels.
     pub y: u32,
-    /// Its width, pixels; cut off at the picture's side.
+    /// The tile's width, in pixels; it ends at the picture's side.
     pub width: u32,
-    /// Its height, pixels; cut off at the picture's side.
+    /// The tile's height, in pixels; it ends at the picture's side.
     pub height: u32,
-    /// How far apart its traced pixels are: each stands for so many by so many, as far as the picture goes.
+    /// The distance between traced pixels, in pixels: each stands for a block of `step` × `step`, as far as the picture
+    /// goes.
     pub step: u32,
 }
 
 impl Tile {
-    /// The pixels that are traced with this tile, as x and y. Those of passes before are not among them.
+    /// Returns the pixels that are traced with this tile, as x and y. Those of passes before are not among them.
     pub fn samples(&self) -> impl Iterator<Item = (u32, u32)> + Clone + use<> {
         let Self { x, y, width, height, step } = *self;
         let is_new = move |x: u32, y: u32| step == COARSEST || (x | y) & step != 0;
@@ -57,10 +58,10 @@ pub(crate) struct Tiles {
 }
 
 impl Tiles {
-    /// Of a picture of `width` × `height` pixels, by so many lights.
+    /// Makes the tiles of a picture of `width` × `height` pixels, by so many lights.
     pub fn new(width: u32, height: u32, lights: usize) -> Self {
         // A pixel takes a ray of the eye, and two to each light.
-        let side = (RAYS / (1 + 2 * lights)).isqrt().max(LEAST_SIDE) as u32;
+        let side = (MAX_RAYS / (1 + 2 * lights)).isqrt().max(MIN_SIDE) as u32;
         Self { width, height, side, step: COARSEST, pass: Vec::new().into_iter() }
     }
 
@@ -141,9 +142,9 @@ mod tests {
 
     #[test]
     fn a_tile_is_little_work() {
-        for (lights, most) in [(0, 1024), (1, 324), (2, 196), (16, 64)] {
+        for (lights, max) in [(0, 1024), (1, 324), (2, 196), (16, 64)] {
             let samples = Tiles::new(1000, 1000, lights).map(|tile| tile.samples().count()).max();
-            assert_eq!(samples, Some(most), "{lights} lights");
+            assert_eq!(samples, Some(max), "{lights} lights");
         }
     }
 

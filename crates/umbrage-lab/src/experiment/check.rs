@@ -7,25 +7,25 @@ use toml::Value;
 use umbrage_render::RenderError;
 
 use super::source::{Source, Step, Step::Item, Step::Key};
-use super::{Claim, Experiment, Plot, Sweep, Way};
+use super::{Claim, Experiment, Plot, Sweep, Variant};
 use crate::LabError;
-use crate::cell::{AreaLight, Motion};
 use crate::figures::{self, Figure};
-use crate::flicker::Watch;
+use crate::path::{Motion, Watch};
+use crate::run::AreaLight;
 use crate::settings::WrongSettings;
 
 /// The longest side of a picture, pixels: the largest texture that adapters commonly have.
-const LARGEST_PX: u32 = 16_384;
+const MAX_SIDE_PX: u32 = 16_384;
 
 /// As `umbrage bench`.
-const MOST_FRAMES: u32 = 100_000;
+const MAX_FRAMES: u32 = 100_000;
 
 /// More jittered cameras than any interval needs; a slip of the keyboard should not fill the memory.
-const MOST_REPEATS: u32 = 1_000;
+const MAX_REPEATS: u32 = 1_000;
 
 /// A minute of frames at a fair rate, and a point for every pixel of a good screen: a slip of the keyboard should not take
 /// a year.
-const MOST_WATCHED: Watch = Watch { frames: 10_000, points: 2_000_000 };
+const MAX_WATCHED: Watch = Watch { frames: 10_000, points: 2_000_000 };
 
 /// Points of a light, as `umbrage measure` takes them.
 const LIGHT_POINTS: RangeInclusive<u32> = 8..=65_536;
@@ -45,7 +45,7 @@ pub fn check(
         reported: _,
         worlds,
         cameras: _,
-        ways,
+        variants,
         seed: _,
         size,
         repeats,
@@ -70,19 +70,19 @@ pub fn check(
     check_watch(source, *watch)?;
     unique(source, &[Key("truths")], truths)?;
     if !LIGHT_POINTS.contains(light_points) {
-        let (least, most) = (LIGHT_POINTS.start(), LIGHT_POINTS.end());
-        let wrong = format!("wanted from {least} to {most} points of each light, got {light_points}");
+        let (min, max) = (LIGHT_POINTS.start(), LIGHT_POINTS.end());
+        let wrong = format!("wanted from {min} to {max} points of each light, got {light_points}");
         return Err(source.refusal(&[Key("light_points")], wrong));
     }
-    for (i, way) in ways.iter().enumerate() {
-        check_area(source, i, way.area, motions)?;
-        check_way(source, i, way, worlds)?;
+    for (i, variant) in variants.iter().enumerate() {
+        check_area(source, i, variant.area, motions)?;
+        check_variant(source, i, variant, worlds)?;
     }
     for (i, column) in columns.iter().enumerate() {
         check_figure(source, &[Key("columns"), Item(i)], column)?;
     }
     for (i, plot) in plots.iter().enumerate() {
-        check_plot(source, i, plot, ways)?;
+        check_plot(source, i, plot, variants)?;
     }
     for (i, claim) in claims.iter().enumerate() {
         check_claim(source, i, claim, experiment)?;
@@ -111,12 +111,12 @@ fn check_enlarged(
 }
 
 fn check_lists(source: &Source<'_>, experiment: &Experiment) -> Checked {
-    let Experiment { worlds, cameras, ways, columns, .. } = experiment;
-    let names: Vec<&str> = ways.iter().map(|way| way.name.as_str()).collect();
+    let Experiment { worlds, cameras, variants, columns, .. } = experiment;
+    let names: Vec<&str> = variants.iter().map(|variant| variant.name.as_str()).collect();
     for (key, count) in [
         ("worlds", worlds.len()),
         ("cameras", cameras.len()),
-        ("ways", ways.len()),
+        ("variants", variants.len()),
         ("columns", columns.len()),
     ] {
         if count == 0 {
@@ -124,12 +124,12 @@ fn check_lists(source: &Source<'_>, experiment: &Experiment) -> Checked {
         }
     }
     for (i, name) in names.iter().enumerate() {
-        let at = [Key("ways"), Item(i), Key("name")];
+        let at = [Key("variants"), Item(i), Key("name")];
         if name.trim().is_empty() {
             return Err(source.refusal(&at, "wanted a name, got an empty one"));
         }
         if names[..i].contains(name) {
-            return Err(source.refusal(&at, format!("two ways are called `{name}`")));
+            return Err(source.refusal(&at, format!("two variants are called `{name}`")));
         }
     }
     unique(source, &[Key("worlds")], worlds)?;
@@ -157,17 +157,17 @@ fn check_worlds(source: &Source<'_>, worlds: &[String]) -> Checked {
 
 fn check_numbers(source: &Source<'_>, size: [u32; 2], repeats: u32, frames: u32) -> Checked {
     for (i, side) in size.into_iter().enumerate() {
-        if !(1..=LARGEST_PX).contains(&side) {
-            let wrong = format!("wanted from 1 to {LARGEST_PX} pixels each way, got {side}");
+        if !(1..=MAX_SIDE_PX).contains(&side) {
+            let wrong = format!("wanted from 1 to {MAX_SIDE_PX} pixels each way, got {side}");
             return Err(source.refusal(&[Key("size"), Item(i)], wrong));
         }
     }
-    if !(1..=MOST_REPEATS).contains(&repeats) {
-        let wrong = format!("wanted from 1 to {MOST_REPEATS} repeats, got {repeats}");
+    if !(1..=MAX_REPEATS).contains(&repeats) {
+        let wrong = format!("wanted from 1 to {MAX_REPEATS} repeats, got {repeats}");
         return Err(source.refusal(&[Key("repeats")], wrong));
     }
-    if frames > MOST_FRAMES {
-        let wrong = format!("wanted from 0 to {MOST_FRAMES} frames, got {frames}");
+    if frames > MAX_FRAMES {
+        let wrong = format!("wanted from 0 to {MAX_FRAMES} frames, got {frames}");
         return Err(source.refusal(&[Key("frames")], wrong));
     }
     Ok(())
@@ -175,11 +175,11 @@ fn check_numbers(source: &Source<'_>, size: [u32; 2], repeats: u32, frames: u32)
 
 /// Two changes make a tremble, so three frames.
 fn check_watch(source: &Source<'_>, Watch { frames, points }: Watch) -> Checked {
-    for (key, got, least, most) in
-        [("frames", frames, 3, MOST_WATCHED.frames), ("points", points, 1, MOST_WATCHED.points)]
+    for (key, got, min, max) in
+        [("frames", frames, 3, MAX_WATCHED.frames), ("points", points, 1, MAX_WATCHED.points)]
     {
-        if !(least..=most).contains(&got) {
-            let wrong = format!("wanted from {least} to {most} {key}, got {got}");
+        if !(min..=max).contains(&got) {
+            let wrong = format!("wanted from {min} to {max} {key}, got {got}");
             return Err(source.refusal(&[Key("watch"), Key(key)], wrong));
         }
     }
@@ -188,7 +188,7 @@ fn check_watch(source: &Source<'_>, Watch { frames, points }: Watch) -> Checked 
 
 fn check_area(source: &Source<'_>, i: usize, area: Option<AreaLight>, motions: &[Motion]) -> Checked {
     let Some(area) = area else { return Ok(()) };
-    let at = [Key("ways"), Item(i), Key("area")];
+    let at = [Key("variants"), Item(i), Key("area")];
     if !motions.is_empty() {
         let wrong = "an area light is not watched along a path: leave out `area` or `motions`";
         return Err(source.refusal(&at, wrong));
@@ -199,23 +199,25 @@ fn check_area(source: &Source<'_>, i: usize, area: Option<AreaLight>, motions: &
     })
 }
 
-fn check_way(source: &Source<'_>, i: usize, way: &Way, worlds: &[String]) -> Checked {
-    let Way { name: _, preset: _, set: _, area: _, sweep, reported } = way;
+fn check_variant(source: &Source<'_>, i: usize, variant: &Variant, worlds: &[String]) -> Checked {
+    let Variant { name: _, preset: _, set: _, area: _, sweep, reported } = variant;
     for world in reported.keys() {
-        known(source, &[Key("ways"), Item(i), Key("reported"), Key(world)], "world", world, worlds)?;
+        known(source, &[Key("variants"), Item(i), Key("reported"), Key(world)], "world", world, worlds)?;
     }
     let Some(Sweep { key: _, values }) = sweep else {
-        return way
+        return variant
             .settings_at(None)
             .map(|_| ())
-            .map_err(|wrong| refuse_settings(source, i, way, None, &wrong));
+            .map_err(|wrong| refuse_settings(source, i, variant, None, &wrong));
     };
-    let at = [Key("ways"), Item(i), Key("sweep"), Key("values")];
+    let at = [Key("variants"), Item(i), Key("sweep"), Key("values")];
     if values.is_empty() {
         return Err(source.refusal(&at, "wanted at least one, got an empty list"));
     }
     for (j, value) in values.iter().enumerate() {
-        way.settings_at(Some(value)).map_err(|wrong| refuse_settings(source, i, way, Some(j), &wrong))?;
+        variant
+            .settings_at(Some(value))
+            .map_err(|wrong| refuse_settings(source, i, variant, Some(j), &wrong))?;
         let falls =
             j > 0 && number(value).zip(number(&values[j - 1])).is_some_and(|(this, last)| this <= last);
         if falls || values[..j].contains(value) {
@@ -231,17 +233,17 @@ fn number(value: &Value) -> Option<f64> {
     value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64))
 }
 
-/// The way's settings are wrong, or those with its `swept`-th value: finds who said so.
+/// The variant's settings are wrong, or those with its `swept`-th value: finds who said so.
 fn refuse_settings(
     source: &Source<'_>,
     i: usize,
-    way: &Way,
+    variant: &Variant,
     swept: Option<usize>,
     wrong: &WrongSettings,
 ) -> LabError {
-    let way_at = [Key("ways"), Item(i)];
+    let variant_at = [Key("variants"), Item(i)];
     let names: Vec<Step<'_>> = wrong.key().split('.').map(Key).collect();
-    let in_set = [&way_at[..], &[Key("set")], &names].concat();
+    let in_set = [&variant_at[..], &[Key("set")], &names].concat();
     let reason = match wrong {
         WrongSettings::Value { key: _, wrong } => wrong.clone(),
         WrongSettings::Preset(_)
@@ -250,13 +252,15 @@ fn refuse_settings(
         | WrongSettings::Range(_) => wrong.to_string(),
     };
     let inside = |outer: &str, inner: &str| inner == outer || inner.starts_with(&format!("{outer}."));
-    let sets = wrong.key().split('.').next().is_some_and(|first| way.set.contains_key(first));
-    match (wrong, &way.sweep, swept) {
-        (WrongSettings::Preset(_), ..) => source.refusal(&[&way_at[..], &[Key("preset")]].concat(), reason),
+    let sets = wrong.key().split('.').next().is_some_and(|first| variant.set.contains_key(first));
+    match (wrong, &variant.sweep, swept) {
+        (WrongSettings::Preset(_), ..) => {
+            source.refusal(&[&variant_at[..], &[Key("preset")]].concat(), reason)
+        }
         (_, Some(sweep), Some(j))
             if inside(&sweep.key, wrong.key()) || inside(wrong.key(), &sweep.key) || !sets =>
         {
-            let at = [&way_at[..], &[Key("sweep")]].concat();
+            let at = [&variant_at[..], &[Key("sweep")]].concat();
             let no_such_key = matches!(wrong, WrongSettings::Key(_)) || reason.starts_with("unknown field");
             if no_such_key && wrong.key() == sweep.key {
                 source.refusal(&[&at[..], &[Key("key")]].concat(), reason)
@@ -276,24 +280,24 @@ fn check_figure(source: &Source<'_>, at: &[Step<'_>], figure: &str) -> Checked {
     Err(source.refusal(at, format!("no figure is called `{figure}`; there are {}", keys.join(", "))))
 }
 
-fn check_plot(source: &Source<'_>, i: usize, plot: &Plot, ways: &[Way]) -> Checked {
+fn check_plot(source: &Source<'_>, i: usize, plot: &Plot, variants: &[Variant]) -> Checked {
     let Plot { x, y, log_x: _, pareto: _, by_world: _ } = plot;
     let at = |key| [Key("plots"), Item(i), Key(key)];
     if x != "sweep" {
         check_figure(source, &at("x"), x)?;
-    } else if ways.iter().all(|way| way.sweep.is_none()) {
-        return Err(source.refusal(&at("x"), "wanted a way that sweeps, but none does"));
+    } else if variants.iter().all(|variant| variant.sweep.is_none()) {
+        return Err(source.refusal(&at("x"), "wanted a variant that sweeps, but none does"));
     }
     check_figure(source, &at("y"), y)
 }
 
 fn check_claim(source: &Source<'_>, i: usize, claim: &Claim, experiment: &Experiment) -> Checked {
-    let Claim { says: _, figure, way, than, times, worlds, cameras } = claim;
+    let Claim { says: _, figure, variant, than, times, worlds, cameras } = claim;
     let at = |key| [Key("claims"), Item(i), Key(key)];
     check_figure(source, &at("figure"), figure)?;
-    let names: Vec<String> = experiment.ways.iter().map(|way| way.name.clone()).collect();
-    known(source, &at("way"), "way", way, &names)?;
-    known(source, &at("than"), "way", than, &names)?;
+    let names: Vec<String> = experiment.variants.iter().map(|variant| variant.name.clone()).collect();
+    known(source, &at("variant"), "variant", variant, &names)?;
+    known(source, &at("than"), "variant", than, &names)?;
     if !(*times > 0.0 && times.is_finite()) {
         return Err(source.refusal(&at("times"), format!("wanted a positive number, got {times}")));
     }

@@ -1,39 +1,39 @@
-//! The cells of an experiment, and their order.
+//! The runs of an experiment, and their order.
 
 use umbrage_scene::worlds;
 
 use super::Experiment;
-use crate::{Cell, LabError};
+use crate::{LabError, Run};
 
-/// A cell, and where it stands in its experiment: a row without its outcome.
+/// An entry is a run with its place in the experiment: a row without its outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// Index into [`Experiment::ways`].
-    pub way: usize,
-    /// The value of the way's sweep, as it is written; `None` where it has none.
+    /// The index of the variant in [`Experiment::variants`].
+    pub variant: usize,
+    /// The value of the variant's sweep, as it is written; `None` where the variant has no sweep.
     pub swept: Option<toml::Value>,
-    /// What to measure.
-    pub cell: Cell,
+    /// The run to measure.
+    pub run: Run,
 }
 
 impl Experiment {
-    /// Every cell: by world, camera, repeat, motion, way and swept value, the last changing fastest. So cells that share
-    /// a truth are neighbours, and it is traced once for all ways.
+    /// Lists every run, by world, camera, repeat, motion, variant and swept value, of which the last changes fastest. So
+    /// runs that share a truth are neighbours, and it is traced once for all variants.
     ///
-    /// Only the camera itself, repeat 0, has pictures and timed frames. `adapter` is what draws, `program` the hash of
-    /// what runs; `world_hash` is asked for the hash of each world that is a file.
+    /// Only the camera itself, repeat 0, has pictures and timed frames. `adapter` is the name of what draws, and `program`
+    /// the hash of the program that runs; `world_hash` gives the hash of each world that is a file.
     ///
     /// # Errors
-    /// What `world_hash` returns, and settings that do not exist (an experiment that was read has none).
-    pub fn cells(
+    /// The first error of `world_hash`, and when a setting does not exist (an experiment that was read has none such).
+    pub fn runs(
         &self,
         adapter: &str,
         program: &str,
         mut world_hash: impl FnMut(&str) -> Result<String, LabError>,
     ) -> Result<Vec<Entry>, LabError> {
-        let mut ways = Vec::new();
-        for (way, how) in self.ways.iter().enumerate() {
-            ways.extend(how.settings()?.into_iter().map(|(swept, settings)| (way, swept, settings)));
+        let mut variants = Vec::new();
+        for (variant, how) in self.variants.iter().enumerate() {
+            variants.extend(how.settings()?.into_iter().map(|(swept, settings)| (variant, swept, settings)));
         }
         let motions: Vec<_> = if self.motions.is_empty() {
             vec![None]
@@ -46,17 +46,17 @@ impl Experiment {
             let hash = if is_built_in { String::new() } else { world_hash(world)? };
             let places = self.cameras.iter().flat_map(|camera| (0..self.repeats).map(move |r| (camera, r)));
             for (camera, repeat) in places {
-                for (motion, (way, swept, settings)) in
-                    motions.iter().flat_map(|motion| ways.iter().map(move |way| (motion, way)))
+                for (motion, (variant, swept, settings)) in
+                    motions.iter().flat_map(|motion| variants.iter().map(move |variant| (motion, variant)))
                 {
-                    let cell = Cell {
+                    let run = Run {
                         world: world.clone(),
                         world_hash: hash.clone(),
                         seed: self.seed,
                         camera: camera.clone(),
                         repeat,
                         settings: settings.clone(),
-                        area: self.ways[*way].area,
+                        area: self.variants[*variant].area,
                         truths: self.truths.clone(),
                         light_points: self.light_points,
                         size: self.size,
@@ -67,7 +67,7 @@ impl Experiment {
                         adapter: adapter.to_owned(),
                         program: program.to_owned(),
                     };
-                    entries.push(Entry { way: *way, swept: swept.clone(), cell });
+                    entries.push(Entry { variant: *variant, swept: swept.clone(), run });
                 }
             }
         }

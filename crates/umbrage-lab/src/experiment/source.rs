@@ -17,6 +17,9 @@ pub struct Source<'a> {
     root: Spanned<DeTable<'a>>,
 }
 
+/// Keys of before, by what they are in (nothing is the file itself), and what each is called now.
+const RENAMED: [(&str, &str, &str); 2] = [("", "ways", "variants"), ("claims", "way", "variant")];
+
 /// A step down from a table or an array.
 #[derive(Clone, Copy)]
 pub enum Step<'a> {
@@ -36,11 +39,34 @@ impl<'a> Source<'a> {
 
     /// The experiment that it holds, of which only the shape is checked.
     pub fn experiment(&self) -> Result<Experiment, LabError> {
+        self.check_names()?;
         toml::from_str(self.text).map_err(|why: toml::de::Error| {
             let line = line(self.text, why.span().map_or(0, |span| span.start));
             let (key, wrong) = fault(why);
             refused(self.path, line, key, wrong)
         })
+    }
+
+    /// Refuses keys of before, each with its name of today.
+    fn check_names(&self) -> Result<(), LabError> {
+        let root = self.root.get_ref();
+        for (list, old, new) in RENAMED {
+            let wrong = format!("`{old}` is now `{new}`");
+            if list.is_empty() {
+                if root.contains_key(old) {
+                    return Err(self.refusal(&[Step::Key(old)], wrong));
+                }
+                continue;
+            }
+            let items = DeTable::get(root, list).and_then(|value| value.get_ref().as_array());
+            let is_old = |item: &Spanned<DeValue<'_>>| {
+                item.get_ref().as_table().is_some_and(|table| table.contains_key(old))
+            };
+            if let Some(i) = items.and_then(|items| items.iter().position(is_old)) {
+                return Err(self.refusal(&[Step::Key(list), Step::Item(i), Step::Key(old)], wrong));
+            }
+        }
+        Ok(())
     }
 
     /// Why the value at some place is refused. A key that is left out stands where its table begins.

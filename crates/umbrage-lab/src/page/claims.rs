@@ -1,163 +1,170 @@
 //! What the source says that can be checked, and whether it holds here.
 
+use maud::{Markup, html};
+use serde_json::{Value, json};
+
+use super::escape::{Text, minus};
+use super::table::{Field, Group, Kind, Part, Table};
+use super::tally::{Tally, tally};
+use super::verdict::{Check, checks};
 use crate::figures::Figure;
-use crate::page::escape::{escaped, minus};
-use crate::page::verdict::{Check, Verdict, checks};
-use crate::tabulate::{Group, motion_text};
+use crate::tabulate::{self, motion_text};
 use crate::{Claim, Experiment};
 
-/// The section; empty where nothing is claimed.
-pub(super) fn section(experiment: &Experiment, groups: &[Group]) -> String {
-    if experiment.claims.is_empty() {
-        return String::new();
-    }
-    let claims: Vec<(&Claim, Vec<Check>)> =
-        experiment.claims.iter().map(|claim| (claim, checks(experiment, claim, groups))).collect();
-    let holding = claims.iter().filter(|(_, checks)| tally(checks).holds_everywhere()).count();
-    let all = claims.len();
-    let is_single = claims.iter().flat_map(|(_, checks)| checks).any(|check| check.ratios.samples.len() == 1);
-    let articles: String = claims.iter().map(|(claim, checks)| article(claim, checks)).collect();
-    format!(
-        "<section id=\"claims\">\n<h2>Does it hold here?</h2>\n\
-         <p><strong>{holding} of {all} {}</strong> wherever {} checked. \
-         A claim holds where the whole 95&#8239;% interval of the ratio is at most what is claimed, and does not where \
-         all of it is above; repeats are paired.{} One verdict in twenty may be chance.</p>\n<div class=\"claims\">\n{articles}</div>\n</section>\n",
-        if all == 1 { "claim holds" } else { "claims hold" },
-        if all == 1 { "it was" } else { "they were" },
-        if is_single { " Where there is one sample, its ratio alone decides." } else { "" },
-    )
+/// A claim with all that was found of it.
+pub(super) struct Checked<'a> {
+    claim: &'a Claim,
+    checks: Vec<Check<'a>>,
+    /// The figures it was checked by; `None` where it speaks of nothing that was measured.
+    pub table: Option<Table>,
 }
 
-fn article(claim: &Claim, checks: &[Check]) -> String {
+/// Every claim of an experiment, checked.
+pub(super) fn checked<'a>(experiment: &'a Experiment, groups: &[tabulate::Group<'a>]) -> Vec<Checked<'a>> {
+    let checked = |claim| {
+        let checks = checks(experiment, claim, groups);
+        let figure = Figure::named(&claim.figure).filter(|_| !checks.is_empty());
+        let table = figure.map(|figure| table(claim, figure, &checks));
+        Checked { claim, checks, table }
+    };
+    experiment.claims.iter().map(checked).collect()
+}
+
+/// The section; empty where nothing is claimed.
+pub(super) fn section(claims: &[Checked]) -> Markup {
+    if claims.is_empty() {
+        return html! {};
+    }
+    let holding = claims.iter().filter(|claim| tally(&claim.checks).holds_everywhere()).count();
+    let all = claims.len();
+    let is_single =
+        claims.iter().flat_map(|claim| &claim.checks).any(|check| check.ratios.samples.len() == 1);
+    let (hold, was) = if all == 1 { ("claim holds", "it was") } else { ("claims hold", "they were") };
+    html! {
+        section id="claims" { "\n"
+            h2 { "Does it hold here?" } "\n"
+            p {
+                strong { (holding) " of " (all) " " (hold) } " wherever " (was) " checked. "
+                "A claim holds where the whole 95\u{202f}% interval of the ratio is at most what is claimed, and does \
+                 not where all of it is above; repeats are paired."
+                @if is_single { " Where there is one sample, its ratio alone decides." }
+                " One verdict in twenty may be chance."
+            } "\n"
+            div.claims { "\n" @for claim in claims { (article(claim)) "\n" } } "\n"
+        }
+    }
+}
+
+fn article(Checked { claim, checks, table }: &Checked) -> Markup {
     let tally = tally(checks);
     let (class, badge) = tally.badge();
     let figure = Figure::named(&claim.figure);
-    let body = match figure {
-        None => format!("<p class=\"none\">No figure is called {}.</p>\n", escaped(&claim.figure)),
-        Some(_) if checks.is_empty() => {
-            "<p class=\"none\">Nothing was measured that it speaks of.</p>\n".to_owned()
+    let heading = figure.map_or_else(|| claim.figure.clone(), Figure::heading);
+    html! {
+        article.claim { "\n"
+            h3 { span class={ "badge " (class) } { (badge) } " " (Text(&claim.says)) } "\n"
+            p.meta {
+                (Text(&heading)) ": " (Text(&claim.variant)) " ≤ " (claim.times) " × " (Text(&claim.than)) ". "
+                (tally.text())
+            } "\n"
+            @match (figure, table) {
+                (_, Some(table)) => (table.html()),
+                (None, None) => p.none { "No figure is called " (Text(&claim.figure)) "." },
+                (Some(_), None) => p.none { "Nothing was measured that it speaks of." },
+            }
         }
-        Some(figure) => table(claim, figure, checks),
-    };
-    format!(
-        "<article class=\"claim\">\n<h3><span class=\"badge {class}\">{badge}</span> {}</h3>\n\
-         <p class=\"meta\">{}: {} ≤ {} × {}. {}</p>\n{body}</article>\n",
-        escaped(&claim.says),
-        escaped(&figure.map_or_else(|| claim.figure.clone(), Figure::heading)),
-        escaped(&claim.way),
-        claim.times,
-        escaped(&claim.than),
-        tally.text(),
-    )
+    }
 }
 
-fn table(claim: &Claim, figure: &Figure, checks: &[Check]) -> String {
+fn table(claim: &Claim, figure: &Figure, checks: &[Check]) -> Table {
     let has_motion = checks.iter().any(|check| check.motion.is_some());
-    let rows: String = checks.iter().map(|check| row(figure, check, has_motion)).collect();
-    let head = |name: &str| format!("<th class=\"number\">{}</th>", escaped(name));
-    format!(
-        "<div class=\"wide\"><table>\n<thead><tr><th>world</th><th>camera</th>{}{}{}<th class=\"number\">ratio</th>\
-         <th>verdict</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
-        if has_motion { "<th>motion</th>" } else { "" },
-        head(&claim.way),
-        head(&claim.than),
-    )
+    let mut heads = vec![Field::plain(Kind::Words, "world"), Field::plain(Kind::Words, "camera")];
+    heads.extend(has_motion.then(|| Field::plain(Kind::Words, "motion")));
+    heads.extend([&claim.variant, &claim.than].map(|name| Field::plain(Kind::Number, name)));
+    heads.extend([Field::plain(Kind::Number, "ratio"), Field::plain(Kind::Words, "verdict")]);
+    let rows = checks.iter().map(|check| row(figure, check, has_motion)).collect();
+    Table { heads, groups: vec![Group { title: None, rows }] }
 }
 
-fn row(figure: &Figure, check: &Check, has_motion: bool) -> String {
-    let motion = check.motion.map_or("", motion_text);
-    let motion = if has_motion { format!("<td>{motion}</td>") } else { String::new() };
+fn row(figure: &Figure, check: &Check, has_motion: bool) -> Vec<Field> {
     let value = |i: usize, swept: &Option<String>| {
-        let value =
-            check.means.map_or_else(|| "–".to_owned(), |means| minus(&figure.format.number(means[i])));
-        let swept = swept.as_ref().map(|at| format!(" <small>at {}</small>", escaped(at)));
-        format!("<td class=\"number\">{value}{}</td>", swept.unwrap_or_default())
+        let number = |means: [f64; 2]| minus(&figure.format.number(means[i]));
+        let mut parts = vec![Part::Plain(check.means.map_or_else(|| "–".to_owned(), number))];
+        parts.extend(swept.as_ref().map(|at| Part::Small(format!("at {at}"))));
+        Field::new(Kind::Number, parts)
     };
-    let (class, verdict) = check.verdict.words();
-    let one = if check.ratios.samples.len() == 1 { " <small>one sample</small>" } else { "" };
-    format!(
-        "<tr><td>{}</td><td>{}</td>{motion}{}{}<td class=\"number\">{}</td>\
-         <td><span class=\"{class}\">{verdict}</span>{one}</td></tr>\n",
-        escaped(check.world),
-        escaped(check.camera),
+    let (class, words) = check.verdict.words();
+    let mut verdict = vec![Part::Verdict(class, words)];
+    if check.ratios.samples.len() == 1 {
+        verdict.push(Part::Small("one sample".to_owned()));
+    }
+    let mut fields = vec![Field::plain(Kind::Words, check.world), Field::plain(Kind::Words, check.camera)];
+    fields.extend(has_motion.then(|| Field::plain(Kind::Words, check.motion.map_or("", motion_text))));
+    fields.extend([
         value(0, &check.swept),
         value(1, &check.than_swept),
-        ratio_text(check),
-    )
+        Field::new(Kind::Number, ratio(check)),
+        Field::new(Kind::Words, verdict),
+    ]);
+    fields
 }
 
-fn ratio_text(check: &Check) -> String {
+fn ratio(check: &Check) -> Vec<Part> {
     let ratios = &check.ratios;
     if ratios.samples.is_empty() {
-        return check.missing.to_owned();
+        return vec![Part::Plain(check.missing.to_owned())];
     }
     match (ratios.mean().is_finite(), ratios.samples.len()) {
-        (false, _) => "∞".to_owned(),
-        (true, 1) => format!("{:.3}", ratios.mean()),
-        (true, _) => format!("{:.3} <small>± {:.3}</small>", ratios.mean(), ratios.half_width()),
+        (false, _) => vec![Part::Plain("∞".to_owned())],
+        (true, 1) => vec![Part::Plain(format!("{:.3}", ratios.mean()))],
+        (true, _) => vec![
+            Part::Plain(format!("{:.3}", ratios.mean())),
+            Part::Small(format!("± {:.3}", ratios.half_width())),
+        ],
     }
 }
 
-impl Verdict {
-    /// Its class in the style sheet, and what the page says.
-    fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Holds => ("holds", "holds"),
-            Self::DoesNotHold => ("fails", "does not hold"),
-            Self::NotDecided => ("open", "not decided"),
-        }
-    }
+/// Everything that was found of the claims, for other programs. Ratios against 0 are not finite, and null.
+pub(super) fn json(claims: &[Checked]) -> Value {
+    claims.iter().enumerate().map(|(i, claim)| claim_json(i, claim)).collect()
 }
 
-/// How many checks came to which verdict.
-#[derive(Clone, Copy, Default)]
-struct Tally {
-    holds: usize,
-    fails: usize,
-    open: usize,
-    /// Without any ratio: nothing to judge there, or nothing measured.
-    missing: usize,
+fn claim_json(index: usize, Checked { claim, checks, table }: &Checked) -> Value {
+    let tally @ Tally { holds, fails, open, missing } = tally(checks);
+    let (_, verdict) = tally.badge();
+    let Claim { says, figure, variant, than, times, worlds: _, cameras: _ } = claim;
+    json!({
+        "says": says,
+        "figure": figure,
+        "variant": variant,
+        "than": than,
+        "times": times,
+        "verdict": verdict,
+        "counts": { "holds": holds, "does_not_hold": fails, "not_decided": open, "no_ratio": missing },
+        "table": table.as_ref().map(|_| table_name(index)),
+        "checks": checks.iter().map(check_json).collect::<Value>(),
+    })
 }
 
-fn tally(checks: &[Check]) -> Tally {
-    let mut tally = Tally::default();
-    for check in checks {
-        match check.verdict {
-            Verdict::Holds => tally.holds += 1,
-            Verdict::DoesNotHold => tally.fails += 1,
-            Verdict::NotDecided if check.ratios.samples.is_empty() => tally.missing += 1,
-            Verdict::NotDecided => tally.open += 1,
-        }
-    }
-    tally
+/// What the table of a claim is called, where tables are files.
+pub(super) fn table_name(index: usize) -> String {
+    format!("claim-{}", index + 1)
 }
 
-impl Tally {
-    fn holds_everywhere(self) -> bool {
-        self.holds > 0 && self.fails == 0 && self.open == 0
-    }
-
-    fn badge(self) -> (&'static str, &'static str) {
-        match (self.holds, self.fails) {
-            (_, 0) if self.holds_everywhere() => ("holds", "holds"),
-            (0, 1..) => ("fails", "does not hold"),
-            (1.., 1..) => ("fails", "holds in part"),
-            (1.., 0) => ("open", "holds in part"),
-            (0, 0) => ("open", "not decided"),
-        }
-    }
-
-    fn text(self) -> String {
-        let Self { holds, fails, open, missing } = self;
-        let all = holds + fails + open;
-        let parts = [(holds, "holds"), (fails, "does not hold"), (open, "is not decided")];
-        let parts: Vec<String> = parts
-            .iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, words)| format!("{words} in {count} of {all}"))
-            .collect();
-        let verdicts = if parts.is_empty() { String::new() } else { format!("It {}.", parts.join(", ")) };
-        let without = if missing == 0 { String::new() } else { format!(" No ratio in {missing}.") };
-        verdicts + &without
-    }
+fn check_json(check: &Check) -> Value {
+    let Check { world, camera, motion, swept, than_swept, means, ratios, verdict, missing } = check;
+    let is_measured = !ratios.samples.is_empty();
+    json!({
+        "world": world,
+        "camera": camera,
+        "motion": motion,
+        "swept": swept,
+        "than_swept": than_swept,
+        "means": means,
+        "ratios": ratios.samples,
+        "ratio": is_measured.then(|| ratios.mean()),
+        "half_width": is_measured.then(|| ratios.half_width()),
+        "verdict": verdict.words().1,
+        "missing": (!missing.is_empty()).then_some(missing),
+    })
 }

@@ -6,71 +6,60 @@ mod labels;
 mod mark;
 mod series;
 
+use maud::{Markup, PreEscaped, html};
+
+use super::escape::{Text, escaped};
 use crate::figures::Figure;
-use crate::page::escape::escaped;
 use crate::tabulate::Group;
 use crate::{Experiment, LabError, Plot};
 
 use mark::Mark;
 use series::{Chart, chart};
 
-/// The section; empty where no plot is wanted.
-pub(super) fn section(experiment: &Experiment, groups: &[Group]) -> Result<String, LabError> {
-    if experiment.plots.is_empty() {
-        return Ok(String::new());
-    }
-    let mut figures = String::new();
+/// A plot as the page shows it.
+pub(super) enum Drawing {
+    /// A chart, as SVG.
+    Drawn { title: String, chart: Chart, svg: String },
+    /// There is nothing to plot.
+    Empty { title: String },
+    /// There is no such figure.
+    Unknown { figure: String },
+}
+
+/// Every plot of an experiment, in its order: one for each world, or one over all worlds.
+pub(super) fn drawings(experiment: &Experiment, groups: &[Group]) -> Result<Vec<Drawing>, LabError> {
+    let mut drawings = Vec::new();
     for plot in &experiment.plots {
         if !plot.by_world {
             let all: Vec<&Group> = groups.iter().collect();
-            figures += &figure(experiment, plot, &all, None)?;
+            drawings.push(drawing(experiment, plot, &all, None)?);
             continue;
         }
         for groups in groups.chunk_by(|a, b| a.world == b.world) {
             let world = groups.first().map(|group| group.world);
-            figures += &figure(experiment, plot, &groups.iter().collect::<Vec<_>>(), world)?;
+            drawings.push(drawing(experiment, plot, &groups.iter().collect::<Vec<_>>(), world)?);
         }
     }
-    Ok(format!(
-        "<section id=\"plots\">\n<h2>Plots</h2>\n<p class=\"meta\">Means over cameras{}. Bars: 95&#8239;% intervals \
-         over repeats; of times, the 5th to 95th percentile of the frames.</p>\n\
-         <div class=\"plots\">\n{figures}</div>\n</section>\n",
-        if experiment.plots.iter().all(|plot| plot.by_world) {
-            ""
-        } else {
-            ", and over worlds where none is named"
-        },
-    ))
+    Ok(drawings)
 }
 
-/// One plot with its title and legend.
-fn figure(
+fn drawing(
     experiment: &Experiment,
     plot: &Plot,
     groups: &[&Group],
     world: Option<&str>,
-) -> Result<String, LabError> {
+) -> Result<Drawing, LabError> {
     let across = if plot.x == "sweep" { None } else { Some(&plot.x) };
-    for key in across.into_iter().chain([&plot.y]) {
-        if Figure::named(key).is_none() {
-            return Ok(format!("<p class=\"none\">No figure is called {}.</p>\n", escaped(key)));
-        }
+    if let Some(figure) = across.into_iter().chain([&plot.y]).find(|key| Figure::named(key).is_none()) {
+        return Ok(Drawing::Unknown { figure: figure.clone() });
     }
     let chart = chart(experiment, plot, groups);
     let title = title(plot, &chart, world);
     if chart.series.is_empty() {
-        return Ok(format!(
-            "<figure><figcaption><b>{}</b> <span class=\"none\">nothing to plot</span></figcaption></figure>\n",
-            escaped(&title)
-        ));
+        return Ok(Drawing::Empty { title });
     }
     let svg = draw::svg(&chart)?;
-    let svg = svg.replacen("<svg ", &format!("<svg role=\"img\" aria-label=\"{}\" ", escaped(&title)), 1);
-    Ok(format!(
-        "<figure>\n<figcaption><b>{}</b></figcaption>\n{svg}<p class=\"legend\">{}</p>\n</figure>\n",
-        escaped(&title),
-        legend(&chart),
-    ))
+    Ok(Drawing::Drawn { title, chart, svg })
 }
 
 fn title(plot: &Plot, chart: &Chart, world: Option<&str>) -> String {
@@ -81,17 +70,72 @@ fn title(plot: &Plot, chart: &Chart, world: Option<&str>) -> String {
     format!("{up} against {across}{world}")
 }
 
-fn legend(chart: &Chart) -> String {
-    let ways = chart.series.iter().map(|series| {
-        let mark = Mark::of(series.way);
-        let mark = if series.is_level() {
-            format!("<i style=\"border-top:2px dashed {}\"></i>", mark.css())
-        } else {
-            mark.html()
-        };
-        format!("<span>{mark}{}</span>", escaped(&series.name))
-    });
-    let front = (chart.front.len() > 1)
-        .then(|| "<span><i style=\"border-top:3px solid #999\"></i>Pareto front</span>".to_owned());
-    ways.chain(front).collect::<Vec<_>>().join(" ")
+/// The section; empty where no plot is wanted.
+pub(super) fn section(experiment: &Experiment, drawings: &[Drawing]) -> Markup {
+    if experiment.plots.is_empty() {
+        return html! {};
+    }
+    let is_mean_of_worlds = experiment.plots.iter().any(|plot| !plot.by_world);
+    html! {
+        section id="plots" { "\n"
+            h2 { "Plots" } "\n"
+            p.meta {
+                "Means over cameras" @if is_mean_of_worlds { ", and over worlds where none is named" }
+                ". Bars: 95\u{202f}% intervals over repeats; of times, the 5th to 95th percentile of the frames."
+            } "\n"
+            div.plots { "\n" @for drawing in drawings { (figure(drawing)) "\n" } } "\n"
+        }
+    }
+}
+
+/// One plot with its title and legend.
+fn figure(drawing: &Drawing) -> Markup {
+    match drawing {
+        Drawing::Unknown { figure } => html! { p.none { "No figure is called " (Text(figure)) "." } },
+        Drawing::Empty { title } => html! {
+            figure { figcaption { b { (Text(title)) } " " span.none { "nothing to plot" } } }
+        },
+        Drawing::Drawn { title, chart, svg } => html! {
+            figure { "\n"
+                figcaption { b { (Text(title)) } } "\n"
+                (PreEscaped(named(svg, title)))
+                p.legend { (legend(chart)) } "\n"
+            }
+        },
+    }
+}
+
+/// A drawing that says to those who do not see it what it is.
+fn named(svg: &str, title: &str) -> String {
+    svg.replacen("<svg ", &format!("<svg role=\"img\" aria-label=\"{}\" ", escaped(title)), 1)
+}
+
+impl Drawing {
+    /// The drawing as a file of its own, on white; `None` where nothing was drawn.
+    pub fn file(&self) -> Option<String> {
+        let Self::Drawn { title, chart: _, svg } = self else { return None };
+        let svg = named(svg.trim_end(), title);
+        let (head, body) = svg.split_once('>')?;
+        Some(format!("{head}><rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}\n"))
+    }
+}
+
+fn legend(chart: &Chart) -> Markup {
+    html! {
+        @for (i, series) in chart.series.iter().enumerate() {
+            @if i > 0 { " " }
+            span {
+                @let mark = Mark::of(series.variant);
+                @if series.is_level() {
+                    i style={ "border-top:2px dashed " (mark.css()) } {}
+                } @else {
+                    (mark.html())
+                }
+                (Text(&series.name))
+            }
+        }
+        @if chart.front.len() > 1 {
+            " " span { i style="border-top:3px solid #999" {} "Pareto front" }
+        }
+    }
 }

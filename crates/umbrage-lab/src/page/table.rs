@@ -1,143 +1,212 @@
-//! The table: worlds and cameras one under the other, in each of them a row for each way and value.
+//! A table, as a page and a document both show it: the same fields as HTML and as Markdown.
 
-use umbrage_judge::statistics::Interval;
+use std::fmt::Write as _;
 
-use crate::Experiment;
-use crate::figures::Figure;
-use crate::page::escape::{escaped, minus};
-use crate::tabulate::{Group, motion_text};
+use maud::{Markup, html};
 
-/// A column: a figure, or the key of one that there is not.
-type Column<'a> = Result<&'static Figure, &'a str>;
+use super::escape::{Text, cleaned};
 
-/// The section.
-pub(super) fn section(experiment: &Experiment, groups: &[Group]) -> String {
-    let columns: Vec<Column> =
-        experiment.columns.iter().map(|key| Figure::named(key).ok_or(key.as_str())).collect();
-    let has_reported = experiment.ways.iter().any(|way| !way.reported.is_empty());
-    let heads: String = columns.iter().map(head).collect();
-    let reported = if has_reported { "<th>the source reported</th>" } else { "" };
-    let bodies: String = groups
-        .chunk_by(|a, b| a.stands_beside(b))
-        .map(|beside| body(experiment, &columns, has_reported, beside))
-        .collect();
-    format!(
-        "<section id=\"table\">\n<h2>Figures</h2>\n<p class=\"meta\">{}</p>\n<div class=\"wide\"><table>\n\
-         <thead><tr><th>way</th>{heads}{reported}</tr></thead>\n{bodies}</table></div>\n</section>\n",
-        note(experiment, &columns),
-    )
+/// A table: a line of headings, and groups of rows.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Table {
+    pub heads: Vec<Field>,
+    pub groups: Vec<Group>,
 }
 
-fn note(experiment: &Experiment, columns: &[Column]) -> String {
-    let is_timed = columns.iter().flatten().any(|figure| figure.key.starts_with("milliseconds."));
-    let mut note = String::new();
-    if experiment.repeats > 1 {
-        note += &format!(
-            "Means of {} jittered cameras, ± half the 95&#8239;% interval. Bold: the best, where its interval touches \
-             no other way's. ",
-            experiment.repeats
-        );
+/// Rows that belong together, under a title that goes across the table where there is one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Group {
+    pub title: Option<Vec<Part>>,
+    pub rows: Vec<Vec<Field>>,
+}
+
+/// A field of a table, which may be as wide as several columns.
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    pub kind: Kind,
+    pub parts: Vec<Part>,
+    pub columns: usize,
+}
+
+/// What a field holds, which says how it is set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The name of a row.
+    Name,
+    /// Words.
+    Words,
+    /// A number, which stands on the right.
+    Number,
+    /// Words about a number that is missing.
+    Missing,
+    /// What a source reported.
+    Reported,
+}
+
+/// A part of a field's text. Parts are set apart by a space.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    Plain(String),
+    /// Of less weight than what it follows.
+    Small(String),
+    /// The best of its column.
+    Best(String),
+    /// Below what it follows.
+    Unit(String),
+    /// Set as code.
+    Code(String),
+    /// A verdict's words, with their class in the style sheet.
+    Verdict(&'static str, &'static str),
+    /// What tells a place from others of the same name.
+    Beside(String),
+}
+
+impl Field {
+    /// A field of one column.
+    pub fn new(kind: Kind, parts: Vec<Part>) -> Self {
+        Self { kind, parts, columns: 1 }
     }
-    if is_timed {
-        note += "Times are of the camera itself: the median, and the 5th to 95th percentile of its frames.";
-    }
-    note
-}
 
-fn head(column: &Column) -> String {
-    match column {
-        Err(key) => format!("<th class=\"number\">{}?</th>", escaped(key)),
-        Ok(figure) => match figure.format.unit() {
-            "" => format!("<th class=\"number\">{}</th>", escaped(figure.label)),
-            unit => format!("<th class=\"number\">{}<br><small>{unit}</small></th>", escaped(figure.label)),
-        },
+    /// A field of one column with plain text.
+    pub fn plain(kind: Kind, text: impl Into<String>) -> Self {
+        Self::new(kind, vec![Part::Plain(text.into())])
     }
 }
 
-/// The rows of one world, camera and motion, under a row that names them.
-fn body(experiment: &Experiment, columns: &[Column], has_reported: bool, beside: &[Group]) -> String {
-    let width = 1 + columns.len() + usize::from(has_reported);
-    let place = beside.first().map(place).unwrap_or_default();
-    let best: Vec<Option<usize>> = columns.iter().map(|column| best(column, beside)).collect();
-    let rows: String = beside
-        .iter()
-        .enumerate()
-        .map(|(i, group)| {
-            let is_best: Vec<bool> = best.iter().map(|best| *best == Some(i)).collect();
-            row(experiment, columns, &is_best, has_reported, group)
-        })
-        .collect();
-    format!("<tbody>\n<tr class=\"place\"><th colspan=\"{width}\">{place}</th></tr>\n{rows}</tbody>\n")
-}
+impl Table {
+    /// The table as HTML.
+    pub fn html(&self) -> Markup {
+        html! {
+            div.wide {
+                table {
+                    thead { tr { @for head in &self.heads { (heading(head)) } } } "\n"
+                    @for group in &self.groups {
+                        tbody { "\n"
+                            @if let Some(title) = &group.title {
+                                tr.place { th colspan=(self.heads.len()) { (parts(title)) } } "\n"
+                            }
+                            @for row in &group.rows {
+                                tr { @for field in row { (field_html(field)) } } "\n"
+                            }
+                        }
+                    }
+                }
+            } "\n"
+        }
+    }
 
-/// Where a group was measured, as HTML.
-pub(super) fn place(group: &Group) -> String {
-    let motion = group.motion.map(|motion| format!(", {}", motion_text(motion))).unwrap_or_default();
-    format!("{} <span>from {}{motion}</span>", escaped(group.world), escaped(group.camera))
-}
-
-/// Which group has the least of a figure, if that is sure: its interval touches that of no other.
-fn best(column: &Column, beside: &[Group]) -> Option<usize> {
-    let figure = column.ok().filter(|figure| figure.is_better_lower())?;
-    let intervals: Vec<(usize, Interval)> =
-        beside.iter().enumerate().filter_map(|(i, group)| Some((i, group.interval(figure.key)?))).collect();
-    let (best, least) = intervals.iter().min_by(|(_, a), (_, b)| a.mean().total_cmp(&b.mean()))?;
-    let mut others = intervals.iter().filter(|(i, _)| i != best).peekable();
-    let has_others = others.peek().is_some();
-    (has_others && others.all(|(_, other)| least.is_apart_from(other))).then_some(*best)
-}
-
-fn row(
-    experiment: &Experiment,
-    columns: &[Column],
-    is_best: &[bool],
-    has_reported: bool,
-    group: &Group,
-) -> String {
-    let is_unjudged = |column: &Column| {
-        !group.is_judged()
-            && group.motion.is_none()
-            && column.is_ok_and(|figure| figure.is_of_judged_pixels())
-    };
-    let marked: Vec<(&Column, bool)> = columns.iter().zip(is_best.iter().copied()).collect();
-    let cells: String = marked
-        .chunk_by(|(a, _), (b, _)| is_unjudged(a) && is_unjudged(b))
-        .map(|run| match run {
-            [(column, _), ..] if is_unjudged(column) => {
-                format!("<td class=\"none\" colspan=\"{}\">no pixels to judge</td>", run.len())
+    /// The table as Markdown. A group's title is a row of its own, and bold.
+    pub fn markdown(&self) -> String {
+        let columns = self.heads.len();
+        let mut text = line(&self.heads.iter().map(|head| words(&head.parts)).collect::<Vec<_>>());
+        let _ = writeln!(text, "|{}", "---|".repeat(columns));
+        for Group { title, rows } in &self.groups {
+            if let Some(title) = title {
+                let mut fields = vec![String::new(); columns];
+                fields[0] = format!("**{}**", words(title));
+                text += &line(&fields);
             }
-            run => run.iter().map(|(column, is_best)| cell(column, *is_best, group)).collect(),
-        })
-        .collect();
-    let reported = experiment.ways.get(group.way).and_then(|way| way.reported.get(group.world));
-    let reported = match (has_reported, reported) {
-        (false, _) => String::new(),
-        (true, None) => "<td class=\"reported\">–</td>".to_owned(),
-        (true, Some(text)) => format!("<td class=\"reported\">{}</td>", escaped(text)),
-    };
-    format!("<tr><th>{}</th>{cells}{reported}</tr>\n", escaped(&group.name(experiment)))
-}
-
-fn cell(column: &Column, is_best: bool, group: &Group) -> String {
-    let value = column.ok().and_then(|figure| value(figure, is_best, group));
-    format!("<td class=\"number\">{}</td>", value.unwrap_or_else(|| "–".to_owned()))
-}
-
-fn value(figure: &Figure, is_best: bool, group: &Group) -> Option<String> {
-    let number = |value: f64| minus(&figure.format.number(value));
-    if let Some(spread) = group.spread(figure) {
-        let range = format!("{} to {}", number(spread.p5), number(spread.p95));
-        return Some(format!("{} <small>{range}</small>", number(spread.median)));
+            for row in rows {
+                text += &line(&row.iter().map(|field| words(&field.parts)).collect::<Vec<_>>());
+            }
+        }
+        text
     }
-    let interval = group.interval(figure.key)?;
-    let mean = number(interval.mean());
-    let mean = if is_best { format!("<b>{mean}</b>") } else { mean };
-    let count = interval.samples.len();
-    let half = if count > 1 && interval.half_width() > 0.0 {
-        format!(" <small>± {}</small>", number(interval.half_width()))
-    } else {
-        String::new()
-    };
-    let short = if count < group.rows.len() { format!(" <small>of {count}</small>") } else { String::new() };
-    Some(format!("{mean}{half}{short}"))
+}
+
+fn heading(Field { kind, parts: content, columns: _ }: &Field) -> Markup {
+    match kind {
+        Kind::Number => html! { th.number { (parts(content)) } },
+        Kind::Name | Kind::Words | Kind::Missing | Kind::Reported => html! { th { (parts(content)) } },
+    }
+}
+
+fn field_html(Field { kind, parts: content, columns }: &Field) -> Markup {
+    let span = (*columns > 1).then_some(columns);
+    match kind {
+        Kind::Name => html! { th { (parts(content)) } },
+        Kind::Words => html! { td { (parts(content)) } },
+        Kind::Number => html! { td.number { (parts(content)) } },
+        Kind::Missing => html! { td.none colspan=[span] { (parts(content)) } },
+        Kind::Reported => html! { td.reported { (parts(content)) } },
+    }
+}
+
+/// The parts of a text, as HTML.
+pub(super) fn parts(parts: &[Part]) -> Markup {
+    html! {
+        @for (i, part) in parts.iter().enumerate() {
+            @if i > 0 && !matches!(part, Part::Unit(_)) { " " }
+            @match part {
+                Part::Plain(text) => (Text(text)),
+                Part::Small(text) => small { (Text(text)) },
+                Part::Best(text) => b { (Text(text)) },
+                Part::Unit(text) => { br; small { (Text(text)) } },
+                Part::Code(text) => code { (Text(text)) },
+                Part::Verdict(class, words) => span class=(class) { (words) },
+                Part::Beside(text) => span { (Text(text)) },
+            }
+        }
+    }
+}
+
+/// The words of a text, on one line.
+fn words(parts: &[Part]) -> String {
+    let texts = parts.iter().map(|part| match part {
+        Part::Plain(text)
+        | Part::Small(text)
+        | Part::Best(text)
+        | Part::Unit(text)
+        | Part::Code(text)
+        | Part::Beside(text) => text.as_str(),
+        Part::Verdict(_, words) => words,
+    });
+    let words: Vec<String> = texts
+        .flat_map(|text| cleaned(text).split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+        .collect();
+    words.join(" ").replace('|', "\\|")
+}
+
+/// A line of Markdown's.
+fn line(fields: &[String]) -> String {
+    let mut line = "|".to_owned();
+    for field in fields {
+        let _ = if field.is_empty() { write!(line, " |") } else { write!(line, " {field} |") };
+    }
+    line + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_the_same_in_markdown_and_in_html() {
+        let number = |parts| Field::new(Kind::Number, parts);
+        let table = Table {
+            heads: vec![
+                Field::plain(Kind::Name, "variant"),
+                number(vec![Part::Plain("error".to_owned()), Part::Unit("px".to_owned())]),
+            ],
+            groups: vec![Group {
+                title: Some(vec![Part::Plain("a".to_owned()), Part::Beside("from b".to_owned())]),
+                rows: vec![vec![
+                    Field::plain(Kind::Name, "one | <two>"),
+                    number(vec![Part::Best("1.5".to_owned()), Part::Small("± 0.1".to_owned())]),
+                ]],
+            }],
+        };
+        assert_eq!(
+            table.markdown(),
+            "| variant | error px |\n|---|---|\n| **a from b** | |\n| one \\| <two> | 1.5 ± 0.1 |\n"
+        );
+        let html = table.html().into_string();
+        for part in [
+            "<th class=\"number\">error<br><small>px</small></th>",
+            "<tr class=\"place\"><th colspan=\"2\">a <span>from b</span></th></tr>",
+            "<tr><th>one | &lt;two&gt;</th><td class=\"number\"><b>1.5</b> <small>± 0.1</small></td></tr>",
+        ] {
+            assert!(html.contains(part), "{part} in {html}");
+        }
+    }
 }

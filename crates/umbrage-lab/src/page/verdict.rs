@@ -1,6 +1,6 @@
 //! Does what a source claims hold here?
 //!
-//! A claim says that a figure of one way is at most so many times that of another. Repeats pair the two: both ways are
+//! A claim says that a figure of one variant is at most so many times that of another. Repeats pair the two: both variants are
 //! drawn from the same jittered camera, so the ratio is taken within each pair, and the interval is that of the ratios.
 
 use umbrage_judge::statistics::Interval;
@@ -8,7 +8,7 @@ use umbrage_judge::statistics::Interval;
 use crate::tabulate::{Group, value_text};
 use crate::{Claim, Experiment, Motion};
 
-/// What the samples say of a claim.
+/// The verdict of the samples on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The whole interval of the ratio is at most what is claimed.
@@ -19,43 +19,46 @@ pub enum Verdict {
     NotDecided,
 }
 
-/// A claim in one world, from one camera, along one path.
+/// A check of a claim in one world, from one camera, along one path.
 #[derive(Clone, Debug)]
 pub struct Check<'a> {
-    /// Which world.
+    /// The name or path of the world.
     pub world: &'a str,
-    /// Which camera of it.
+    /// The name of the camera.
     pub camera: &'a str,
-    /// Which path; `None` for a single picture.
+    /// The path; `None` for a single picture.
     pub motion: Option<Motion>,
-    /// The value of the way that should be smaller, where it sweeps.
+    /// The swept value of the variant that should be smaller, where it sweeps.
     pub swept: Option<String>,
-    /// The value of the other, where it sweeps.
+    /// The swept value of the other variant, where it sweeps.
     pub than_swept: Option<String>,
-    /// The figure that should be smaller, and the one it is measured against, each the mean of the pairs.
+    /// The figure that should be smaller and the one that it is compared with, each the mean of the pairs; `None` without
+    /// any pair.
     pub means: Option<[f64; 2]>,
     /// The ratio of each pair, by rising repeat; empty where there is none.
     pub ratios: Interval,
-    /// What follows.
+    /// The verdict that follows from the ratios.
     pub verdict: Verdict,
-    /// Why there is no ratio; empty where there is one.
+    /// The reason that there is no ratio; empty where there is one.
     pub missing: &'static str,
 }
 
-/// A claim wherever it is made, in the experiment's order. Where both ways sweep, equal values are compared; where one
+/// Checks a claim wherever it is made, in the experiment's order. Where both variants sweep, equal values are compared; where one
 /// does, each of its values.
 pub fn checks<'a>(experiment: &Experiment, claim: &Claim, groups: &[Group<'a>]) -> Vec<Check<'a>> {
-    let is_way =
-        |group: &Group, name: &str| experiment.ways.get(group.way).is_some_and(|way| way.name == name);
+    let is_variant = |group: &Group, name: &str| {
+        experiment.variants.get(group.variant).is_some_and(|variant| variant.name == name)
+    };
     let is_meant = |names: &[String], name: &str| names.is_empty() || names.iter().any(|other| other == name);
     let smaller = groups.iter().filter(|group| {
-        is_way(group, &claim.way)
+        is_variant(group, &claim.variant)
             && is_meant(&claim.worlds, group.world)
             && is_meant(&claim.cameras, group.camera)
     });
     smaller
         .flat_map(|group| {
-            let larger = groups.iter().filter(|than| is_way(than, &claim.than) && than.stands_beside(group));
+            let larger =
+                groups.iter().filter(|than| is_variant(than, &claim.than) && than.stands_beside(group));
             let larger = larger.filter(|than| match (group.swept, than.swept) {
                 (Some(value), Some(other)) => value == other,
                 (None, _) | (_, None) => true,
@@ -90,7 +93,7 @@ fn check<'a>(claim: &Claim, group: &Group<'a>, than: &Group<'a>) -> Check<'a> {
     }
 }
 
-/// The samples of repeats that both ways have.
+/// The samples of repeats that both variants have.
 fn pairs(samples: &[(u32, f64)], than: &[(u32, f64)]) -> Vec<[f64; 2]> {
     let partner = |repeat: u32| than.iter().find(|(other, _)| *other == repeat);
     samples.iter().filter_map(|(repeat, value)| Some([*value, partner(*repeat)?.1])).collect()

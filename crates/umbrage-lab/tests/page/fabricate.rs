@@ -6,16 +6,16 @@ use std::io::Cursor;
 use image::{DynamicImage, ImageFormat, RgbImage, RgbaImage};
 use umbrage::Settings;
 use umbrage_judge::statistics::Spread;
-use umbrage_judge::{Causes, Error};
-use umbrage_lab::heat::{Wrongness, heat_map};
+use umbrage_judge::{Causes, Error, Verdict};
+use umbrage_lab::heat::heat_map;
 use umbrage_lab::{
-    Cell, Claim, Experiment, Machine, Measurement, Milliseconds, Outcome, Pictures, Plot, Row, Sweep,
-    TruthCounts, Watch, Way,
+    Claim, Experiment, Machine, Measurement, Milliseconds, Outcome, Pictures, Plot, Row, Run, Sweep,
+    TruthCounts, Variant, Watch,
 };
 
-/// Four ways, one of which sweeps λ.
+/// Four variants, one of which sweeps λ.
 pub fn experiment() -> Experiment {
-    let way = |name: &str, reported: &[(&str, &str)]| Way {
+    let variant = |name: &str, reported: &[(&str, &str)]| Variant {
         name: name.to_owned(),
         preset: "default".to_owned(),
         set: toml::Table::new(),
@@ -38,11 +38,11 @@ pub fn experiment() -> Experiment {
             .to_owned(),
         worlds: ["forest", "city", "terrain", "pillars"].map(str::to_owned).to_vec(),
         cameras: ["ground", "above"].map(str::to_owned).to_vec(),
-        ways: vec![
-            way("one map, 1024²", &[("forest", "38 fps"), ("city", "41 fps")]),
-            way("one map, 2048²", &[]),
-            way("four splits", &[("forest", "29 fps, visibly sharper"), ("city", "31 fps")]),
-            Way { sweep: Some(lambda), ..way("four splits, λ", &[]) },
+        variants: vec![
+            variant("one map, 1024²", &[("forest", "38 fps"), ("city", "41 fps")]),
+            variant("one map, 2048²", &[]),
+            variant("four splits", &[("forest", "29 fps, visibly sharper"), ("city", "31 fps")]),
+            Variant { sweep: Some(lambda), ..variant("four splits, λ", &[]) },
         ],
         seed: 7,
         size: [640, 360],
@@ -85,11 +85,11 @@ pub fn plot(x: &str, y: &str, log_x: bool, pareto: bool, by_world: bool) -> Plot
 }
 
 /// A claim about mis-shadowed pixels, against the small map.
-pub fn claim(says: &str, way: &str, times: f64) -> Claim {
+pub fn claim(says: &str, variant: &str, times: f64) -> Claim {
     Claim {
         says: says.to_owned(),
         figure: "error.mis_shadowed".to_owned(),
-        way: way.to_owned(),
+        variant: variant.to_owned(),
         than: "one map, 1024²".to_owned(),
         times,
         worlds: vec![],
@@ -102,9 +102,9 @@ pub fn rows(experiment: &Experiment) -> Vec<Row> {
     let mut rows = Vec::new();
     for (w, world) in experiment.worlds.iter().enumerate() {
         for (c, camera) in experiment.cameras.iter().enumerate() {
-            for (i, way) in experiment.ways.iter().enumerate() {
-                let values = way.sweep.iter().flat_map(|sweep| sweep.values.iter().cloned().map(Some));
-                let values: Vec<_> = if way.sweep.is_none() { vec![None] } else { values.collect() };
+            for (i, variant) in experiment.variants.iter().enumerate() {
+                let values = variant.sweep.iter().flat_map(|sweep| sweep.values.iter().cloned().map(Some));
+                let values: Vec<_> = if variant.sweep.is_none() { vec![None] } else { values.collect() };
                 for swept in values {
                     for repeat in 0..experiment.repeats {
                         rows.push(row(experiment, (world, w), (camera, c), i, swept.clone(), repeat));
@@ -120,17 +120,17 @@ fn row(
     experiment: &Experiment,
     (world, w): (&str, usize),
     (camera, c): (&str, usize),
-    way: usize,
+    variant: usize,
     swept: Option<toml::Value>,
     repeat: u32,
 ) -> Row {
     let lambda = swept.as_ref().and_then(toml::Value::as_float).unwrap_or(0.5);
-    let (splits, resolution) = [(1, 1024), (1, 2048), (4, 1024), (4, 1024)][way % 4];
+    let (splits, resolution) = [(1, 1024), (1, 2048), (4, 1024), (4, 1024)][variant % 4];
     let settings = Settings { splits, resolution, lambda: lambda as f32, ..Settings::default() };
     let texels = u64::from(splits * resolution * resolution);
     let jitter = noise(&[w, c, repeat as usize]);
-    let own = noise(&[w, c, repeat as usize, way]);
-    let base = [0.052, 0.027, 0.0105, 0.0105][way % 4] * (1.0 + 2.0 * (lambda - 0.6).powi(2));
+    let own = noise(&[w, c, repeat as usize, variant]);
+    let base = [0.052, 0.027, 0.0105, 0.0105][variant % 4] * (1.0 + 2.0 * (lambda - 0.6).powi(2));
     let wrong = base * (1.0 + 0.4 * w as f64) * (1.0 + 0.2 * jitter) * (1.0 + 0.05 * own);
     let frame = 1.1 + 0.35 * f64::from(splits) + f64::from(resolution) / 1024.0 * 0.4 + 0.2 * w as f64;
     let frame = frame + 0.02 * own;
@@ -166,7 +166,7 @@ fn row(
         flicker: None,
     };
     let pictures = (first && experiment.pictures).then(|| pictures(experiment.size, w + 4 * c, wrong));
-    let cell = Cell {
+    let run = Run {
         world: world.to_owned(),
         world_hash: String::new(),
         seed: experiment.seed,
@@ -191,7 +191,7 @@ fn row(
         cores: 16,
         commit: "6294189".to_owned(),
     };
-    Row { way, swept, cell, outcome: Outcome { machine, measurement, pictures } }
+    Row { variant, swept, run, outcome: Outcome { machine, measurement, pictures } }
 }
 
 const MACHINE_ADAPTER: &str =
@@ -237,27 +237,27 @@ fn milliseconds(frame: f64) -> Milliseconds {
 /// Discs of shade on a lit plane, with edges as wide as the picture is wrong.
 fn pictures([width, height]: [u32; 2], place: usize, wrong: f64) -> Pictures {
     let mut shaded = RgbImage::new(width, height);
-    let mut wrongness = Vec::new();
+    let mut verdicts = Vec::new();
     for (x, y, pixel) in shaded.enumerate_pixels_mut() {
         let (across, up) = (f64::from(x) / f64::from(width), f64::from(y) / f64::from(height));
         if up < 0.3 {
             *pixel = image::Rgb([150, 190, 225]);
-            wrongness.push(Wrongness::NotJudged);
+            verdicts.push(Verdict::NotJudged);
             continue;
         }
         let wave = (19.0 * across + place as f64).sin() * (13.0 * up + 2.0 * place as f64).cos() - 0.2;
         let step = noise(&[(x / 6) as usize, (y / 6) as usize, place]) * 3.0 * wrong;
-        let (truth, claim) = (wave > 0.0, wave + step > 0.0);
-        let light = if claim { 60.0 } else { 175.0 } * (0.7 + 0.3 * up);
+        let (truth, drawn) = (wave > 0.0, wave + step > 0.0);
+        let light = if drawn { 60.0 } else { 175.0 } * (0.7 + 0.3 * up);
         *pixel = image::Rgb([light as u8, (light * 0.97) as u8, (light * 0.8) as u8]);
-        wrongness.push(match (truth, claim) {
-            (false, true) => Wrongness::FalseShadow,
-            (true, false) => Wrongness::FalseLight,
-            _ => Wrongness::Right,
+        verdicts.push(match (truth, drawn) {
+            (false, true) => Verdict::FalseShadow,
+            (true, false) => Verdict::FalseLight,
+            _ => Verdict::Right,
         });
     }
     let rgba = DynamicImage::ImageRgb8(shaded.clone()).into_rgba8();
-    let heat = RgbaImage::from_raw(width, height, heat_map(rgba.as_raw(), &wrongness)).unwrap();
+    let heat = RgbaImage::from_raw(width, height, heat_map(rgba.as_raw(), &verdicts)).unwrap();
     let file = |picture: DynamicImage, format| {
         let mut bytes = Cursor::new(Vec::new());
         picture.write_to(&mut bytes, format).unwrap();
@@ -269,13 +269,13 @@ fn pictures([width, height]: [u32; 2], place: usize, wrong: f64) -> Pictures {
     }
 }
 
-/// One world, one camera, two ways, no pictures.
+/// One world, one camera, two variants, no pictures.
 pub fn small() -> Experiment {
     let mut experiment = experiment();
     experiment.worlds.truncate(1);
     experiment.cameras.truncate(1);
-    experiment.ways.truncate(3);
-    experiment.ways.iter_mut().for_each(|way| way.reported = BTreeMap::new());
+    experiment.variants.truncate(3);
+    experiment.variants.iter_mut().for_each(|variant| variant.reported = BTreeMap::new());
     experiment.pictures = false;
     experiment
 }

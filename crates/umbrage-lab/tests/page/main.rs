@@ -3,13 +3,13 @@
 mod fabricate;
 
 use fabricate::{claim, experiment, plot, rows, small};
-use umbrage_lab::page::html;
+use umbrage_lab::page::report;
 use umbrage_lab::page::verdict::{Verdict, checks};
 use umbrage_lab::tabulate::groups;
 use umbrage_lab::{Experiment, Row};
 
 fn page(experiment: &Experiment, rows: &[Row]) -> String {
-    html(experiment, "experiments/pssm.toml", rows).unwrap()
+    report(experiment, "experiments/pssm.toml", rows).unwrap().html
 }
 
 /// Fails where tags do not close in the order they open.
@@ -34,7 +34,7 @@ fn pages_and_odd_pages_are_whole() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
     let odd = odd();
     let mut odd_rows = rows(&odd);
-    for row in odd_rows.iter_mut().filter(|row| row.cell.camera == "above") {
+    for row in odd_rows.iter_mut().filter(|row| row.run.camera == "above") {
         row.outcome.measurement.error = None;
         row.outcome.measurement.flip = None;
     }
@@ -52,7 +52,7 @@ fn odd() -> Experiment {
     let mut odd = Experiment { repeats: 1, ..experiment() };
     odd.worlds.truncate(2);
     let values = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0].map(toml::Value::Float).to_vec();
-    odd.ways[3].sweep = Some(umbrage_lab::Sweep { key: "bias.normal".to_owned(), values });
+    odd.variants[3].sweep = Some(umbrage_lab::Sweep { key: "bias.normal".to_owned(), values });
     odd.plots = vec![
         plot("sweep", "error.mis_shadowed", true, false, false),
         plot("truth.pixels", "error.bias", false, true, false),
@@ -99,14 +99,14 @@ fn names_from_outside_are_escaped() {
     experiment.reported = evil.to_owned();
     experiment.worlds = vec![evil.to_owned()];
     experiment.cameras = vec![evil.to_owned()];
-    experiment.ways[0].name = evil.to_owned();
-    experiment.ways[1].reported.insert(evil.to_owned(), evil.to_owned());
-    experiment.ways[3].sweep.as_mut().unwrap().key = evil.to_owned();
+    experiment.variants[0].name = evil.to_owned();
+    experiment.variants[1].reported.insert(evil.to_owned(), evil.to_owned());
+    experiment.variants[3].sweep.as_mut().unwrap().key = evil.to_owned();
     experiment.columns.push(evil.to_owned());
     experiment.plots.push(plot(evil, "flip", false, false, true));
     experiment.claims.push(claim(evil, evil, 1.0));
     let rows = rows(&experiment);
-    let page = html(&experiment, evil, &rows).unwrap();
+    let page = report(&experiment, evil, &rows).unwrap().html;
     assert!(!page.contains("<script") && !page.contains("alert('"), "escaped everywhere");
     assert_balanced(&page);
 }
@@ -114,7 +114,7 @@ fn names_from_outside_are_escaped() {
 #[test]
 fn claims_hold_do_not_hold_or_are_not_decided() {
     let mut experiment = small();
-    experiment.claims.retain(|claim| claim.way == "four splits");
+    experiment.claims.retain(|claim| claim.variant == "four splits");
     experiment.claims[1].times = 0.0105 / 0.052;
     experiment.claims.push(claim("A tenth.", "four splits", 0.1));
     let rows = rows(&experiment);
@@ -143,7 +143,7 @@ fn a_claim_holds_though_one_view_has_nothing_to_judge() {
     let mut experiment = Experiment { cameras: vec!["ground".to_owned(), "above".to_owned()], ..small() };
     experiment.claims.truncate(1);
     let mut rows = rows(&experiment);
-    for row in rows.iter_mut().filter(|row| row.cell.camera == "above") {
+    for row in rows.iter_mut().filter(|row| row.run.camera == "above") {
         row.outcome.measurement.error = None;
     }
     let page = page(&experiment, &rows);
@@ -201,28 +201,68 @@ fn empty_and_odd_experiments_make_whole_pages() {
         vec![toml::Value::Float(-1.0), toml::Value::Float(f64::NAN), toml::Value::Float(1e300)],
         vec![toml::Value::from("hard"), toml::Value::from(true), toml::Value::from(vec![1, 2])],
     ] {
-        odd.ways[0].sweep = Some(umbrage_lab::Sweep { key: "filter".to_owned(), values });
+        odd.variants[0].sweep = Some(umbrage_lab::Sweep { key: "filter".to_owned(), values });
         let mut rows = rows(&odd);
         assert_balanced(&page(&odd, &rows));
         for row in &mut rows {
-            row.way += 1;
+            row.variant += 1;
             row.outcome.measurement.flip = Some(f64::NAN);
-            row.cell.world = "elsewhere".to_owned();
+            row.run.world = "elsewhere".to_owned();
         }
         assert_balanced(&page(&odd, &rows));
     }
 }
 
 #[test]
+fn a_report_leaves_its_verdicts_tables_and_plots_beside_the_page() {
+    let experiment = Experiment { size: [16, 9], repeats: 2, ..experiment() };
+    let report = report(&experiment, "experiments/pssm.toml", &rows(&experiment)).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    report.write(folder.path(), "pssm").unwrap();
+    let read = |file: &str| std::fs::read_to_string(folder.path().join(file)).expect(file);
+    assert_eq!(read("pssm.html"), report.html);
+    let verdicts: serde_json::Value = serde_json::from_str(&read("pssm/verdicts.json")).unwrap();
+    assert_eq!(verdicts["title"], experiment.title.as_str());
+    let claims = verdicts["claims"].as_array().unwrap();
+    assert_eq!(claims.len(), 3);
+    for (claim, said) in claims.iter().zip(&experiment.claims) {
+        assert_eq!(
+            (&claim["says"], &claim["figure"]),
+            (&said.says.as_str().into(), &said.figure.as_str().into())
+        );
+        assert_eq!(claim["checks"].as_array().unwrap().len(), 4 * 2, "every world and camera");
+        let table = read(&format!("pssm/tables/{}.md", claim["table"].as_str().unwrap()));
+        assert_eq!(table.lines().count(), 2 + 4 * 2);
+        assert!(table.starts_with("| world | camera |"), "{table}");
+    }
+    let figures = read("pssm/tables/figures.md");
+    assert!(
+        figures.contains("| **forest from ground** | |") && figures.contains("| one map, 1024² | "),
+        "{figures}"
+    );
+    assert!(
+        read("pssm/tables/machines.md").contains("| the wall clock |")
+            || read("pssm/tables/machines.md").contains("| timestamps of the device |")
+    );
+    // Three plots over all worlds, and one of each of the four.
+    for i in 1..=7 {
+        let svg = read(&format!("pssm/plots/{i}.svg"));
+        assert!(svg.starts_with("<svg role=\"img\" aria-label=") && svg.ends_with("</svg>\n"), "{svg}");
+        assert!(svg.contains("><rect width=\"100%\" height=\"100%\" fill=\"white\"/>"), "on white");
+    }
+    assert!(!folder.path().join("pssm/plots/8.svg").exists());
+}
+
+#[test]
 fn csv_has_a_line_for_each_row_and_quotes_what_needs_it() {
     let mut experiment = small();
-    experiment.ways[0].name = "one \"map\",\nsmall".to_owned();
+    experiment.variants[0].name = "one \"map\",\nsmall".to_owned();
     let rows = rows(&experiment);
     let csv = umbrage_lab::csv::csv(&experiment, &rows);
     let mut lines = csv.split('\n');
     let heading: Vec<&str> = lines.next().unwrap().split(',').collect();
     assert!(
-        heading.starts_with(&["way", "swept_key"]) && heading.contains(&"error.mis_shadowed"),
+        heading.starts_with(&["variant", "swept_key"]) && heading.contains(&"error.mis_shadowed"),
         "{heading:?}"
     );
     assert!(csv.contains("\"one \"\"map\"\",\nsmall\",,,forest,ground,,0,"), "quoted");

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, bevelled, bevelled_prism, curve, lathe, sphere};
-use crate::worlds::Paint;
 
 const SEGMENTS: u32 = 24;
 

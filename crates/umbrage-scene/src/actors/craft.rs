@@ -5,11 +5,11 @@ use std::f32::consts::FRAC_PI_2;
 
 use glam::Vec3;
 
+use crate::paint::Paint;
 use crate::shape::{
     Model, Solid, beam, bevelled, bevelled_prism, cone, cuboid, curve, cylinder, frustum, lathe, limb,
     sphere, torus, tube,
 };
-use crate::worlds::Paint;
 
 fn v(x: f32, y: f32, z: f32) -> Vec3 {
     Vec3::new(x, y, z)

@@ -4,10 +4,10 @@ use std::f32::consts::FRAC_PI_2;
 
 use glam::Vec3;
 
+use crate::paint::Paint;
 use crate::shape::{
     Model, Solid, beam, bevelled, bevelled_prism, cone, curve, cylinder, lathe, limb, sphere, torus, tube,
 };
-use crate::worlds::Paint;
 
 /// Around bodies, so that they are round from near.
 const FINE: u32 = 32;

@@ -4,8 +4,9 @@ use std::f32::consts::{FRAC_PI_4, TAU};
 
 use glam::Vec3;
 
+use crate::dice::Dice;
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, beam, bevelled, cuboid, curve, cylinder, lathe, leaf, torus, tube};
-use crate::worlds::{Dice, Paint};
 
 /// A table, 2.6 m by 1.3 m and 0.76 m tall, on four turned legs.
 pub(crate) fn table() -> Model {

@@ -5,11 +5,12 @@ use std::f32::consts::FRAC_PI_2;
 use glam::Vec3;
 use noise_functions::{Noise as _, Perlin};
 
+use crate::dice::Dice;
+use crate::paint::Paint;
 use crate::shape::{
-    Model, Solid, beam, bevelled, bevelled_prism, cylinder, frustum, icosphere, lathe, limb, sphere, torus,
-    tube,
+    Model, Solid, beam, bevelled, bevelled_prism, cylinder, frustum, icosphere, lathe, limb, put, sphere,
+    torus, tube,
 };
-use crate::worlds::{Dice, Paint, put};
 
 fn v(x: f32, y: f32, z: f32) -> Vec3 {
     Vec3::new(x, y, z)

@@ -2,8 +2,9 @@
 
 use glam::{Quat, Vec3};
 
+use crate::dice::Dice;
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, cone, leaf, limb, tube};
-use crate::worlds::{Dice, Paint};
 
 /// A broad tree, 13 m tall: a forked trunk and some 1,300 leaves, each as long as a hand is here a metre.
 pub(crate) fn broadleaf(dice: &mut Dice) -> Model {

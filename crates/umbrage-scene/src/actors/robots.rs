@@ -4,10 +4,10 @@ use std::f32::consts::FRAC_PI_2;
 
 use glam::Vec3;
 
+use crate::paint::Paint;
 use crate::shape::{
     Model, Solid, beam, bevelled, bevelled_prism, cone, cuboid, cylinder, frustum, limb, sphere, torus, tube,
 };
-use crate::worlds::Paint;
 
 /// One of each kind in an army's colour, with names.
 pub(crate) fn all(colour: Paint) -> [(&'static str, Model); 4] {

@@ -17,7 +17,7 @@ use image::{ExtendedColorType, ImageEncoder as _};
 
 use super::bytes::Document;
 use crate::error::Fault;
-use crate::import::LONGEST_SIDE_PX;
+use crate::import::MAX_SIDE_PX;
 use crate::{Aabb, Camera, Lens, Light, LightKind, Material, Mesh, Part, Texture};
 
 const LIGHTS: &str = "KHR_lights_punctual";
@@ -62,11 +62,11 @@ pub(super) fn add_materials(
 /// Adds a picture as PNG, which loses nothing.
 fn add_texture(document: &mut Document, texture: &Texture) -> Result<Index<gltf::json::Texture>, Fault> {
     let Texture { name, width, height, rgba } = texture;
-    let sides = 1..=LONGEST_SIDE_PX;
+    let sides = 1..=MAX_SIDE_PX;
     let fits = sides.contains(width) && sides.contains(height);
     if !fits || rgba.len() as u64 != 4 * u64::from(*width) * u64::from(*height) {
         let got = format!("texture {name:?} has {width} by {height} pixels in {} bytes", rgba.len());
-        return Err(Fault(format!("{got}, need 4 bytes a pixel and 1 to {LONGEST_SIDE_PX} pixels a side")));
+        return Err(Fault(format!("{got}, need 4 bytes a pixel and 1 to {MAX_SIDE_PX} pixels a side")));
     }
     let mut png = Cursor::new(Vec::new());
     PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Adaptive)

@@ -1,8 +1,11 @@
 //! The bytes that a scene's file refers to: files beside it, and data that is written out in its URIs.
 
-use std::borrow::Cow;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use base64::alphabet;
+use base64::engine::{DecodePaddingMode, Engine as _, GeneralPurpose, GeneralPurposeConfig};
+use percent_encoding::percent_decode_str;
 
 use crate::error::Fault;
 
@@ -13,17 +16,17 @@ pub(super) struct Files<'a> {
 }
 
 impl<'a> Files<'a> {
-    /// Files beside the scene's own.
+    /// Lets files beside the scene's own be read.
     pub fn beside(scene: &'a Path) -> Self {
         Self { folder: Some(scene.parent().unwrap_or(Path::new(""))) }
     }
 
-    /// No files at all.
+    /// Lets no files be read.
     pub fn none() -> Self {
         Self { folder: None }
     }
 
-    /// What a glTF URI stands for: `data:` with base64, or a percent-encoded path relative to the scene's file.
+    /// Fetches what a glTF URI stands for: `data:` with base64, or a percent-encoded path relative to the scene's file.
     pub fn fetch(self, uri: &str) -> Result<Vec<u8>, Fault> {
         match uri.split_once(':') {
             Some(("data", data)) => {
@@ -31,16 +34,16 @@ impl<'a> Files<'a> {
                 if !kind.ends_with(";base64") {
                     return Err(Fault("a data URI that is not base64".to_owned()));
                 }
-                base64(text).ok_or_else(|| Fault("a data URI with broken base64".to_owned()))
+                BASE64.decode(text).map_err(|why| Fault(format!("a data URI with broken base64: {why}")))
             }
             Some((scheme, _)) if scheme.len() > 1 && scheme.bytes().all(|b| b.is_ascii_alphanumeric()) => {
                 Err(Fault(format!("cannot fetch {uri:?}, need a relative path or a data URI")))
             }
-            _ => self.read(&percent_decoded(uri)),
+            _ => self.read(&percent_decode_str(uri).decode_utf8_lossy()),
         }
     }
 
-    /// A file beside the scene's. Only regular files: a device or a pipe may never end.
+    /// Reads a file beside the scene's. Only regular files are read: a device or a pipe may never end.
     pub fn read(self, name: &str) -> Result<Vec<u8>, Fault> {
         let fault =
             |why: &dyn std::fmt::Display| Fault(format!("cannot read the file {name:?} it refers to, {why}"));
@@ -53,69 +56,36 @@ impl<'a> Files<'a> {
     }
 }
 
-/// The text with each `%41` as the byte it stands for.
-fn percent_decoded(uri: &str) -> Cow<'_, str> {
-    if !uri.contains('%') {
-        return uri.into();
-    }
-    let mut bytes = Vec::with_capacity(uri.len());
-    let mut rest = uri.as_bytes();
-    while let [first, after @ ..] = rest {
-        let hex = |i: usize| after.get(i).and_then(|&b| (b as char).to_digit(16));
-        match (first, hex(0), hex(1)) {
-            (b'%', Some(high), Some(low)) => {
-                bytes.push((high * 16 + low) as u8);
-                rest = &after[2..];
-            }
-            _ => {
-                bytes.push(*first);
-                rest = after;
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned().into()
-}
-
-/// RFC 4648 base64, padded or not; `None` for any other character.
-fn base64(text: &str) -> Option<Vec<u8>> {
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
-    let (mut bits, mut count) = (0u32, 0);
-    for c in text.trim_end_matches('=').bytes() {
-        let six = match c {
-            b'A'..=b'Z' => c - b'A',
-            b'a'..=b'z' => c - b'a' + 26,
-            b'0'..=b'9' => c - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return None,
-        };
-        bits = bits << 6 | u32::from(six);
-        count += 6;
-        if count >= 8 {
-            count -= 8;
-            bytes.push((bits >> count) as u8);
-        }
-    }
-    Some(bytes)
-}
+/// RFC 4648 base64, padded or not: files in the wild leave the padding out.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &alphabet::STANDARD,
+    GeneralPurposeConfig::new()
+        .with_decode_padding_mode(DecodePaddingMode::Indifferent)
+        .with_decode_allow_trailing_bits(true),
+);
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn base64_is_as_in_the_rfc() {
+    fn base64_is_as_in_the_rfc_with_or_without_padding() {
+        let fetch = |text: &str| Files::none().fetch(&format!("data:application/octet-stream;base64,{text}"));
         for (text, bytes) in [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYmE", "fooba")]
         {
-            assert_eq!(base64(text).unwrap(), bytes.as_bytes(), "{text}");
+            assert_eq!(fetch(text).unwrap(), bytes.as_bytes(), "{text}");
         }
-        assert_eq!(base64("Zm9v!"), None);
+        assert!(fetch("Zm9v!").is_err(), "no letter of base64");
     }
 
     #[test]
     fn percent_signs_stand_for_bytes() {
-        assert_eq!(percent_decoded("a%20b%C3%A9.bin"), "a bé.bin");
-        assert_eq!(percent_decoded("100%"), "100%");
+        let folder = tempfile::tempdir().unwrap();
+        for (uri, name) in [("a%20b%C3%A9.bin", "a bé.bin"), ("100%", "100%")] {
+            fs::write(folder.path().join(name), name).unwrap();
+            let files = Files::beside(&folder.path().join("scene.gltf")).fetch(uri).unwrap();
+            assert_eq!(files, name.as_bytes());
+        }
     }
 
     #[test]

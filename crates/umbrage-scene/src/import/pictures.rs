@@ -9,7 +9,7 @@ use crate::Texture;
 use crate::error::Fault;
 
 /// The longest side a texture may have, pixels: what common GPUs can hold.
-pub(crate) const LONGEST_SIDE_PX: u32 = 16384;
+pub(crate) const MAX_SIDE_PX: u32 = 16384;
 
 /// What a decoder may allocate, bytes.
 const DECODER_BYTES: u64 = 1 << 30;
@@ -21,16 +21,16 @@ pub(super) fn decode(bytes: &[u8], name: String, budget: &mut Budget) -> Result<
     let reader = || {
         let mut reader = ImageReader::new(Cursor::new(bytes));
         let mut limits = Limits::default();
-        limits.max_image_width = Some(LONGEST_SIDE_PX);
-        limits.max_image_height = Some(LONGEST_SIDE_PX);
+        limits.max_image_width = Some(MAX_SIDE_PX);
+        limits.max_image_height = Some(MAX_SIDE_PX);
         limits.max_alloc = Some(DECODER_BYTES);
         reader.limits(limits);
         reader.with_guessed_format().map_err(|why| fault(why.into()))
     };
     let (width, height) = reader()?.into_dimensions().map_err(fault)?;
-    if width.max(height) > LONGEST_SIDE_PX {
+    if width.max(height) > MAX_SIDE_PX {
         let fault =
-            format!("texture {name:?} has {width} by {height} pixels, need at most {LONGEST_SIDE_PX} a side");
+            format!("texture {name:?} has {width} by {height} pixels, need at most {MAX_SIDE_PX} a side");
         return Err(Fault(fault));
     }
     budget.pixels(width, height)?;

@@ -17,7 +17,7 @@ pub(crate) struct Ground {
 }
 
 impl Ground {
-    /// Land of `side` metres with about `triangles` triangles (two at least) and the given height at each (x, z).
+    /// Makes land of `side` metres with about `triangles` triangles (two at least) and the given height at each (x, z).
     pub fn new(side: f32, triangles: usize, height: impl Fn(Vec2) -> f32) -> Self {
         let quads = ((triangles as f32 * 0.5).sqrt().round() as usize).max(1);
         let place = |i: usize| (i as f32 / quads as f32 - 0.5) * side;
@@ -28,7 +28,7 @@ impl Ground {
         Self { side, quads, heights }
     }
 
-    /// Height above (x, z), between the grid's corners; beyond the edge, that of the edge.
+    /// Returns the height above (x, z), between the grid's corners; beyond the edge, that of the edge.
     pub fn height(&self, x: f32, z: f32) -> f32 {
         let along = |v: f32| ((v / self.side + 0.5) * self.quads as f32).clamp(0.0, self.quads as f32);
         let (u, v) = (along(x), along(z));
@@ -49,7 +49,7 @@ impl Ground {
         Vec3::new(x, self.height(x, z), z)
     }
 
-    /// Unit normal at (x, z), from heights one quad to each side.
+    /// Returns the unit normal at (x, z), from heights one quad to each side.
     pub fn normal(&self, x: f32, z: f32) -> Vec3 {
         let step = self.side / self.quads as f32;
         let slope_x = self.height(x + step, z) - self.height(x - step, z);
@@ -61,7 +61,7 @@ impl Ground {
         self.heights[row * (self.quads + 1) + column]
     }
 
-    /// Its triangles, a tile each. Texture coordinates run from 0 to `repeats` over the side.
+    /// Returns the land's triangles, a primitive for each tile. Texture coordinates run from 0 to `repeats` over the side.
     pub fn primitives(&self, material: usize, repeats: f32) -> Vec<Primitive> {
         let tiles = (0..self.quads).step_by(TILE);
         tiles.clone().flat_map(|z| tiles.clone().map(move |x| self.tile(x, z, material, repeats))).collect()

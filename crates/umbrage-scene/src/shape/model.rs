@@ -3,7 +3,7 @@
 use glam::Affine3A;
 
 use super::Solid;
-use crate::worlds::Paint;
+use crate::paint::Paint;
 use crate::{Mesh, Primitive};
 
 /// Solids, each with a paint. Solids of one paint end up in one primitive.
@@ -26,12 +26,12 @@ impl Model {
         other.solids.into_iter().for_each(|(paint, solid)| self.add(paint, solid.at(transform)));
     }
 
-    /// How many triangles.
+    /// Returns the number of triangles.
     pub fn triangles(&self) -> usize {
         self.solids.iter().map(|(_, solid)| solid.triangles.len()).sum()
     }
 
-    /// As a mesh of [`Paint`]'s materials.
+    /// Makes a mesh of [`Paint`]'s materials.
     pub fn mesh(&self, name: &str) -> Mesh {
         let painted: Vec<Primitive> =
             self.solids.iter().map(|(paint, s)| s.painted(*paint as usize)).collect();

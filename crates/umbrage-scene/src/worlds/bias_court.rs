@@ -3,9 +3,9 @@
 
 use glam::Vec3;
 
-use super::Paint;
 use super::picture::picture;
 use super::stage::{Stage, View, standing};
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, beam, bevelled, bevelled_prism, cuboid, cylinder, plane, sheet, sphere};
 use crate::{Scene, Texture};
 

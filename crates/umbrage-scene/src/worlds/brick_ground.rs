@@ -34,12 +34,12 @@ fn craft_in_the_air(stage: &mut Stage, room: &mut Room) {
     let hover = Vec3::new(9.0, 4.2, 2.0);
     let hub = hover + Vec3::Y * craft::MAST;
     stage.place(body, standing(hover, -2.2, 1.0));
-    stage.place_turning(rotor, standing(hub, 0.3, 1.0), hub, Vec3::Y, 9.0);
+    stage.place_rotating(rotor, standing(hub, 0.3, 1.0), hub, Vec3::Y, 9.0);
     let ufo = stage.mesh("ufo", &craft::ufo());
     for (x, y, z, size) in [(-9.0, 5.0, -4.0, 0.9), (-26.0, 9.0, -32.0, 1.6), (22.0, 7.0, -38.0, 1.2)] {
         let at = Vec3::new(x, y, z);
         let spin = stage.dice.between(0.6, 1.4);
-        stage.place_turning(ufo, standing(at, 0.0, size), at, Vec3::Y, spin);
+        stage.place_rotating(ufo, standing(at, 0.0, size), at, Vec3::Y, spin);
         room.take(x, z, 4.0);
     }
 }
@@ -48,7 +48,7 @@ fn craft_in_the_air(stage: &mut Stage, room: &mut Room) {
 fn things_on_the_ground(stage: &mut Stage, room: &mut Room) {
     let soldier = stage.mesh("soldier", &craft::soldier());
     let guard = Vec3::new(-1.5, 0.0, 7.0);
-    stage.place_turning(soldier, standing(guard, -0.4, 1.4), guard, Vec3::Y, 0.5);
+    stage.place_rotating(soldier, standing(guard, -0.4, 1.4), guard, Vec3::Y, 0.5);
     room.take(guard.x, guard.z, 2.5);
     // The low cameras see far along these lines.
     room.take(-4.0, 14.0, 3.0);

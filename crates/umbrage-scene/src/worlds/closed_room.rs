@@ -5,9 +5,9 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use glam::Vec3;
 
-use super::Paint;
 use super::stage::{Stage, View, standing};
 use crate::actors::furniture;
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, cuboid};
 use crate::{Light, Scene};
 

@@ -2,10 +2,10 @@
 
 use glam::Vec3;
 
-use super::Paint;
 use super::stage::{Stage, View, standing};
 use crate::Scene;
 use crate::actors::chessmen;
+use crate::paint::Paint;
 use crate::shape::{Ground, Model, plane};
 
 pub(super) const VIEW: View = View { fov_degrees: 60.0, near: 1.0, far: 800.0 };

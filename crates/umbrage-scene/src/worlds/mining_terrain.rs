@@ -73,7 +73,7 @@ fn place_windmills(stage: &mut Stage, ground: &Ground, [tower, rotor]: &[Model; 
         let (turned, speed) = (stage.dice.angle(), stage.dice.between(0.7, 1.1));
         let axis = feet.transform_vector3(Vec3::Z).normalize_or_zero();
         let centre = hub.transform_point3(Vec3::ZERO);
-        stage.place_turning(rotor, hub * Mat4::from_rotation_z(turned), centre, axis, speed);
+        stage.place_rotating(rotor, hub * Mat4::from_rotation_z(turned), centre, axis, speed);
     }
 }
 

@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::Paint;
 use super::huge_chessboard::{self, VIEW};
 use super::stage::{Stage, standing};
+use crate::paint::Paint;
 use crate::shape::{Model, frustum, sphere};
 use crate::{Light, Scene};
 

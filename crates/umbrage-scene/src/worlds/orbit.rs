@@ -5,9 +5,9 @@ use std::f32::consts::TAU;
 
 use glam::Vec3;
 
-use super::Paint;
 use super::primitives::solids;
 use super::stage::{Stage, View, standing};
+use crate::paint::Paint;
 use crate::shape::{Model, plane, sphere};
 use crate::{Light, Motion, Scene};
 
@@ -52,8 +52,8 @@ fn lamp(stage: &mut Stage) {
     let ball = mesh(stage, ("lamp", Paint::Glass, sphere(0.5, 12, 7)));
     let at = standing(START - spot.direction() * BEHIND, 0.0, 1.0);
     let pace = TAU / TURN_SECONDS;
-    stage.place_turning(ball, at, Vec3::ZERO, Vec3::Y, pace);
-    let motion = Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: pace };
+    stage.place_rotating(ball, at, Vec3::ZERO, Vec3::Y, pace);
+    let motion = Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: pace };
     stage.scene.lights.push(Light { motion, ..spot });
 }
 

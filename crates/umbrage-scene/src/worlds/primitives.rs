@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::Paint;
 use super::stage::{Room, Stage, View, standing};
 use crate::Scene;
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, cone, cuboid, cylinder, plane, pyramid, sphere, torus};
 
 const VIEW: View = View { fov_degrees: 45.0, near: 1.0, far: 80.0 };

@@ -3,11 +3,11 @@
 use glam::{Vec2, Vec3};
 use noise_functions::{Noise as _, Perlin};
 
-use super::Paint;
 use super::picture::picture;
 use super::stage::{Room, Stage, View, standing};
 use crate::Scene;
 use crate::actors::robots;
+use crate::paint::Paint;
 use crate::shape::Ground;
 
 const VIEW: View = View { fov_degrees: 60.0, near: 1.0, far: 800.0 };

@@ -4,9 +4,9 @@
 
 use glam::Vec3;
 
-use super::Paint;
 use super::stage::{Stage, View, standing};
 use crate::Scene;
+use crate::paint::Paint;
 use crate::shape::plane;
 
 const VIEW: View = View { fov_degrees: 45.0, near: 0.5, far: 100.0 };

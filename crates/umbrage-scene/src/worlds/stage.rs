@@ -1,10 +1,9 @@
-//! What every built-in world needs: a scene under construction, dice, and room for things that must not overlap.
+//! What every built-in world needs: a scene under construction, and room for things that must not overlap.
 
-use glam::{Affine3A, Mat4, Quat, Vec2, Vec3};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
+use glam::{Mat4, Quat, Vec2, Vec3};
 
-use super::Paint;
+use crate::dice::Dice;
+use crate::paint::Paint;
 use crate::shape::Model;
 use crate::{
     Camera, CameraPath, Instance, Light, LightKind, Material, Mesh, Motion, PathKey, Primitive, Scene,
@@ -14,11 +13,11 @@ use crate::{
 /// How all cameras of a world see.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
-    /// Whole vertical field of view, degrees.
+    /// The whole vertical field of view, in degrees.
     pub fov_degrees: f32,
-    /// Nearest visible depth, metres.
+    /// The view depth of the nearest thing that is visible, in metres.
     pub near: f32,
-    /// Farthest visible depth, metres.
+    /// The view depth of the farthest thing that is visible, in metres.
     pub far: f32,
 }
 
@@ -72,8 +71,8 @@ impl Stage {
         self.scene.instances.push(Instance::still(mesh, world_from_mesh));
     }
 
-    /// Places a mesh that turns about `axis` through `centre`.
-    pub fn place_turning(
+    /// Places a mesh that rotates about `axis` through `centre`.
+    pub fn place_rotating(
         &mut self,
         mesh: usize,
         at: Mat4,
@@ -81,7 +80,7 @@ impl Stage {
         axis: Vec3,
         radians_per_second: f32,
     ) {
-        let motion = Motion::Turn { centre, axis, radians_per_second };
+        let motion = Motion::Rotation { centre, axis, radians_per_second };
         self.scene.instances.push(Instance { mesh, world_from_mesh: at, motion });
     }
 
@@ -98,7 +97,7 @@ impl Stage {
     ) {
         let out = Vec3::new(angle.cos(), 0.0, -angle.sin());
         let ahead = if pace >= 0.0 { angle + std::f32::consts::PI } else { angle };
-        self.place_turning(
+        self.place_rotating(
             mesh,
             standing(centre + out * radius, ahead, size),
             centre,
@@ -143,39 +142,6 @@ impl Stage {
 /// Stands at `feet`, turned from facing +Z by `yaw` radians towards +X, `size` times as large.
 pub(crate) fn standing(feet: Vec3, yaw: f32, size: f32) -> Mat4 {
     Mat4::from_scale_rotation_translation(Vec3::splat(size), Quat::from_rotation_y(yaw), feet)
-}
-
-/// For joining models: turned by `yaw` radians about Y, then shifted.
-pub(crate) fn put(x: f32, y: f32, z: f32, yaw: f32) -> Affine3A {
-    Affine3A::from_rotation_translation(Quat::from_rotation_y(yaw), Vec3::new(x, y, z))
-}
-
-/// Where chance comes from.
-#[derive(Debug)]
-pub(crate) struct Dice(Pcg64Mcg);
-
-impl Dice {
-    /// The same seed gives the same throws.
-    pub fn new(seed: u64) -> Self {
-        Self(Pcg64Mcg::seed_from_u64(seed))
-    }
-
-    /// Evenly between `low` and `high`.
-    pub fn between(&mut self, low: f32, high: f32) -> f32 {
-        /// Steps of the finest even spread that f32 holds between 0 and 1.
-        const STEPS: f32 = (1 << 24) as f32;
-        low + (high - low) * ((self.0.next_u32() >> 8) as f32 / STEPS)
-    }
-
-    /// Any angle, radians.
-    pub fn angle(&mut self) -> f32 {
-        self.between(0.0, std::f32::consts::TAU)
-    }
-
-    /// One of 0 to `count` − 1.
-    pub fn pick(&mut self, count: usize) -> usize {
-        (self.between(0.0, count as f32) as usize).min(count - 1)
-    }
 }
 
 /// Circles on the ground that are taken.

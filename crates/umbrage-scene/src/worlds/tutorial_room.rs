@@ -4,8 +4,8 @@
 
 use glam::{Vec2, Vec3};
 
-use super::Paint;
 use super::stage::{Room, Stage, View, standing};
+use crate::paint::Paint;
 use crate::shape::{Model, Solid, cuboid, plane, sphere, torus};
 use crate::{Light, Scene};
 

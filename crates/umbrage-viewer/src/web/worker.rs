@@ -18,7 +18,7 @@ const SCRIPT: &str = "umbrage-worker.js";
 #[wasm_bindgen]
 pub fn sort(triangles: &[u8]) -> Result<Vec<u8>, String> {
     let triangles = Triangles::from_bytes(triangles).ok_or("these are no triangles")?;
-    Ok(World::sorted(triangles).to_bytes())
+    Ok(World::build(triangles).to_bytes())
 }
 
 /// The triangles with their tree. Where the browser starts no worker, the page stands still meanwhile.
@@ -39,7 +39,7 @@ pub async fn sorted(triangles: impl Fn() -> Triangles) -> Result<World, String> 
         },
         Err(why) => {
             web_sys::console::warn_2(&"triangles are sorted by the page itself:".into(), &why);
-            Ok(World::sorted(triangles()))
+            Ok(World::build(triangles()))
         }
     }
 }

@@ -103,14 +103,12 @@ impl Oracle {
     fn visibility(&self, seen: &Seen) -> Vec<u8> {
         let (width, height) = (seen.picture.width().round() as u32, seen.picture.height().round() as u32);
         let camera = seen.choices.camera();
-        let camera = umbrage_render::camera(&camera, width as f32 / height as f32).expect("a camera");
-        let lamps = vec![umbrage_render::lamp(&self.scene.lights[0], 0.0).expect("a lamp")];
-        let show = Show::Visibility(0);
-        let frame = Frame { camera, planned_for: None, lamps, seconds: 0.0, width, height, samples: 1, show };
+        let (lights, show) = (&self.scene.lights[..1], Show::Visibility(0));
+        let frame = Frame::of(&camera, lights, 0.0, [width, height], show).expect("a camera and a light");
         let settings = seen.choices.settings[0].clone();
         let mut renderer = Renderer::new(&self.gpu, &self.scene, settings).expect("a renderer");
-        renderer.render(&frame).expect("a frame");
-        renderer.picture().expect("a picture").rgba.into_iter().step_by(4).collect()
+        let drawn = renderer.render(&frame).expect("a frame").drawn;
+        drawn.picture().expect("a picture").rgba.into_iter().step_by(4).collect()
     }
 
     /// A change of settings changes the picture where it changes visibility, and nowhere else.

@@ -28,11 +28,11 @@ pub(super) enum Direction {
 /// A range of positions and the marks on it.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
-    /// The least position.
+    /// The minimum position.
     pub start: f64,
-    /// The greatest position, above `start`.
+    /// The maximum position, above `start`.
     pub end: f64,
-    /// Values with what is written beside them.
+    /// The marks: values with what is written beside them.
     pub ticks: Vec<(f64, String)>,
     is_logarithmic: bool,
     /// The position of what a logarithmic axis cannot show.
@@ -43,7 +43,7 @@ pub(super) struct Axis {
 const STEPS: [f64; 3] = [1.0, 2.0, 5.0];
 
 /// How many marks an axis has at most, so that what is written does not touch.
-const MOST_TICKS: usize = 8;
+const MAX_TICKS: usize = 8;
 
 /// How much of the range is left free beside the outermost values.
 const MARGIN: f64 = 0.05;
@@ -87,7 +87,7 @@ impl Axis {
         let above_floor = if has_floor { 0.5 * (first + floor) } else { start };
         let has_room = |pair: &[f64]| pair[0] <= 0.0 || (pair[1] / pair[0]).log10() * 12.0 > end - start;
         let mut ticks =
-            if wanted.is_empty() || wanted.len() > MOST_TICKS + 1 || !wanted.windows(2).all(has_room) {
+            if wanted.is_empty() || wanted.len() > MAX_TICKS + 1 || !wanted.windows(2).all(has_room) {
                 logarithmic_ticks(above_floor, end)
             } else {
                 let above = wanted.iter().filter(|value| **value > 0.0);
@@ -161,7 +161,7 @@ fn linear_ticks(start: f64, end: f64) -> Vec<(f64, String)> {
     let step = STEPS.iter().map(|step| step * power).find(|step| *step >= rough).unwrap_or(10.0 * power);
     let first = (start / step).ceil();
     let last = (end / step).floor();
-    let count = (last - first + 1.0).clamp(0.0, MOST_TICKS as f64) as usize;
+    let count = (last - first + 1.0).clamp(0.0, MAX_TICKS as f64) as usize;
     (0..count)
         .map(|i| {
             let value = (first + i as f64) * step;
@@ -183,11 +183,11 @@ fn logarithmic_ticks(start: f64, end: f64) -> Vec<(f64, String)> {
         let linear = linear_ticks(10f64.powf(start), 10f64.powf(end));
         return linear.into_iter().filter(|(value, _)| *value > 0.0).collect();
     }
-    let values = if all.len() <= MOST_TICKS {
+    let values = if all.len() <= MAX_TICKS {
         all
     } else {
         let powers: Vec<i32> = exponents().filter(|exponent| within(f64::from(*exponent))).collect();
-        let stride = powers.len().div_ceil(MOST_TICKS).max(1);
+        let stride = powers.len().div_ceil(MAX_TICKS).max(1);
         powers.into_iter().step_by(stride).map(|exponent| 10f64.powi(exponent)).collect()
     };
     values.into_iter().map(|value| (value, short(value))).collect()
@@ -227,7 +227,7 @@ mod tests {
 
     fn sound(axis: &Axis) {
         assert!(axis.start.is_finite() && axis.end.is_finite() && axis.start < axis.end, "{axis:?}");
-        assert!(axis.ticks.len() <= MOST_TICKS + 2, "{axis:?}");
+        assert!(axis.ticks.len() <= MAX_TICKS + 2, "{axis:?}");
     }
 
     #[test]

@@ -104,7 +104,7 @@ fn font() -> TextStyle<'static> {
 }
 
 fn colour(series: &Series) -> RGBColor {
-    let [red, green, blue] = Mark::of(series.way).colour;
+    let [red, green, blue] = Mark::of(series.variant).colour;
     RGBColor(red, green, blue)
 }
 
@@ -113,7 +113,7 @@ fn front(chart: &Chart, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2]) -> D
     root.draw(&PathElement::new(points, FRONT.stroke_width(5)))
 }
 
-/// What lies behind the points: a line through them, or a dashed one at the level of a way that does not sweep.
+/// What lies behind the points: a line through them, or a dashed one at the level of a variant that does not sweep.
 fn lines(series: &Series, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2], plane: &Box4) -> Drawn {
     let style = colour(series).stroke_width(4);
     match &series.shape {
@@ -142,7 +142,7 @@ fn points(series: &Series, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2]) -
         for (from, to, across) in ends.into_iter().filter(|(from, to, _)| from != to) {
             bar(root, from, to, across, colour.stroke_width(2))?;
         }
-        let Mark { colour: _, corners } = Mark::of(series.way);
+        let Mark { colour: _, corners } = Mark::of(series.variant);
         if corners.is_empty() {
             root.draw(&Circle::new((left, top), CIRCLE_RADIUS, colour.filled()))?;
         } else {
@@ -161,7 +161,7 @@ fn bar(root: &Area, from: [i32; 2], to: [i32; 2], (dx, dy): (i32, i32), style: S
     Ok(())
 }
 
-/// Labels where there is room; ways that do not sweep come first, of them those of the front.
+/// Labels where there is room; variants that do not sweep come first, of them those of the front.
 fn names(chart: &Chart, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2], plane: &Box4) -> Drawn {
     let place_of = |point: &Point| pixel(point.x.value, point.y.value);
     let all = || chart.series.iter().flat_map(Series::points);

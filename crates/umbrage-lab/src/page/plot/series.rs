@@ -1,7 +1,7 @@
-//! What a plot shows: points of each way, and which of them nothing beats.
+//! What a plot shows: points of each variant, and which of them nothing beats.
 
 use crate::figures::Figure;
-use crate::tabulate::{Group, Mean, value_text, ways_of};
+use crate::tabulate::{Group, Mean, value_text, variants_of};
 use crate::{Experiment, Plot};
 
 use super::axis::Scale;
@@ -14,26 +14,26 @@ const LARGEST: f64 = 1e15;
 pub(super) struct Point {
     pub x: Mean,
     pub y: Mean,
-    /// What is written beside it; empty for nothing. Of a sweep, only the ends have something.
+    /// The label beside the point; empty where it has none. Of a sweep, only the ends have labels.
     pub label: String,
 }
 
-/// What a way looks like in a plot.
+/// What a variant looks like in a plot.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     /// A point.
     Point(Point),
     /// Points that are joined, one for each value.
     Line(Vec<Point>),
-    /// The same height everywhere, of a way that does not sweep.
+    /// The same height everywhere, of a variant that does not sweep.
     Level(Mean),
 }
 
-/// A way in a plot.
+/// A variant in a plot.
 #[derive(Clone, Debug)]
 pub(super) struct Series {
-    /// Index into [`Experiment::ways`].
-    pub way: usize,
+    /// The index of the variant in [`Experiment::variants`].
+    pub variant: usize,
     pub name: String,
     pub shape: Shape,
 }
@@ -80,13 +80,13 @@ pub(super) fn chart(experiment: &Experiment, plot: &Plot, groups: &[&Group]) -> 
     Chart { x_heading, y_heading, x_scale, series, front }
 }
 
-/// One way's groups by swept value, in the sweep's order.
+/// One variant's groups by swept value, in the sweep's order.
 fn by_value<'g, 'a>(
     groups: &[&'g Group<'a>],
-    way: usize,
+    variant: usize,
 ) -> Vec<(Option<&'a toml::Value>, Vec<&'g Group<'a>>)> {
     let mut parts: Vec<(Option<&toml::Value>, Vec<&Group>)> = Vec::new();
-    for group in groups.iter().filter(|group| group.way == way) {
+    for group in groups.iter().filter(|group| group.variant == variant) {
         match parts.iter_mut().find(|(value, _)| *value == group.swept) {
             Some((_, part)) => part.push(group),
             None => parts.push((group.swept, vec![group])),
@@ -96,14 +96,14 @@ fn by_value<'g, 'a>(
 }
 
 fn against_figure(experiment: &Experiment, groups: &[&Group], x: &Figure, y: &Figure) -> Vec<Series> {
-    let series = ways_of(experiment, groups).into_iter().filter_map(|(index, way)| {
+    let series = variants_of(experiment, groups).into_iter().filter_map(|(index, variant)| {
         let values = by_value(groups, index);
         let ends = [values.first(), values.last()].map(|end| end.and_then(|(value, _)| *value));
         let point = |(value, part): &(Option<&toml::Value>, Vec<&Group>)| {
             let label = match value {
-                None => way.name.clone(),
+                None => variant.name.clone(),
                 Some(value) if ends.contains(&Some(value)) => {
-                    let key = way.sweep.as_ref().map_or("", |sweep| sweep.key.as_str());
+                    let key = variant.sweep.as_ref().map_or("", |sweep| sweep.key.as_str());
                     format!("{key} = {}", value_text(value))
                 }
                 Some(_) => String::new(),
@@ -111,12 +111,12 @@ fn against_figure(experiment: &Experiment, groups: &[&Group], x: &Figure, y: &Fi
             Some(Point { x: mean(part, x)?, y: mean(part, y)?, label })
         };
         let points: Vec<Point> = values.iter().filter_map(point).collect();
-        let shape = match (&way.sweep, points.first()) {
+        let shape = match (&variant.sweep, points.first()) {
             (_, None) => return None,
             (None, Some(point)) => Shape::Point(point.clone()),
             (Some(_), Some(_)) => Shape::Line(points),
         };
-        Some(Series { way: index, name: series_name(experiment, index), shape })
+        Some(Series { variant: index, name: series_name(experiment, index), shape })
     });
     series.collect()
 }
@@ -129,8 +129,8 @@ fn against_sweep(
 ) -> (String, Scale, Vec<Series>) {
     let mut keys: Vec<&str> = Vec::new();
     let mut values: Vec<&toml::Value> = Vec::new();
-    for (_, way) in ways_of(experiment, groups) {
-        let Some(sweep) = &way.sweep else { continue };
+    for (_, variant) in variants_of(experiment, groups) {
+        let Some(sweep) = &variant.sweep else { continue };
         if !keys.contains(&sweep.key.as_str()) {
             keys.push(&sweep.key);
         }
@@ -142,9 +142,9 @@ fn against_sweep(
         Scale::Linear | Scale::Logarithmic => number(value),
     };
     let mut series = Vec::new();
-    for (index, way) in ways_of(experiment, groups) {
+    for (index, variant) in variants_of(experiment, groups) {
         let parts = by_value(groups, index);
-        let shape = if way.sweep.is_some() {
+        let shape = if variant.sweep.is_some() {
             let point = |(value, part): &(Option<&toml::Value>, Vec<&Group>)| {
                 let x = position((*value)?)?;
                 Some(Point { x: Mean { value: x, low: x, high: x }, y: mean(part, y)?, label: String::new() })
@@ -155,7 +155,9 @@ fn against_sweep(
         };
         match shape {
             Some(Shape::Line(points)) if points.is_empty() => {}
-            Some(shape) => series.push(Series { way: index, name: series_name(experiment, index), shape }),
+            Some(shape) => {
+                series.push(Series { variant: index, name: series_name(experiment, index), shape })
+            }
             None => {}
         }
     }
@@ -177,7 +179,7 @@ fn sweep_scale(values: &[&toml::Value], log_x: bool) -> Scale {
 }
 
 fn series_name(experiment: &Experiment, index: usize) -> String {
-    experiment.ways.get(index).map(|way| way.name.clone()).unwrap_or_default()
+    experiment.variants.get(index).map(|variant| variant.name.clone()).unwrap_or_default()
 }
 
 fn number(value: &toml::Value) -> Option<f64> {
@@ -215,7 +217,7 @@ mod tests {
         let series = |x: f64, y: f64| {
             let mean = |value: f64| Mean { value, low: value, high: value };
             let point = Point { x: mean(x), y: mean(y), label: String::new() };
-            Series { way: 0, name: String::new(), shape: Shape::Point(point) }
+            Series { variant: 0, name: String::new(), shape: Shape::Point(point) }
         };
         let all = [series(3.0, 1.0), series(1.0, 3.0), series(2.0, 3.5), series(2.0, 2.0), series(4.0, 1.0)];
         assert_eq!(front(&all), [[1.0, 3.0], [2.0, 2.0], [3.0, 1.0]]);

@@ -13,7 +13,7 @@ use gltf::json::{Accessor, Index, Root, buffer};
 use crate::error::Fault;
 
 /// Rows that an accessor without a view, all zeros but for the sparse ones, may have; nothing in the file pays for it.
-const MOST_ZERO_ROWS: u64 = 1 << 24;
+const MAX_ZERO_ROWS: u64 = 1 << 24;
 
 /// A document whose indices were validated, with the bytes of its buffers.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +23,7 @@ pub(super) struct Data<'a> {
 }
 
 impl Data<'_> {
-    /// How many rows an accessor has. Those are not yet known to exist.
+    /// Returns the number of an accessor's rows, which are not yet known to exist.
     pub fn count(&self, index: Index<Accessor>) -> usize {
         usize::try_from(self.root.accessors[index.value()].count.0).unwrap_or(usize::MAX)
     }
@@ -41,7 +41,7 @@ impl Data<'_> {
         })
     }
 
-    /// Vectors of `N` numbers; integers become floats, between −1 and 1 where the accessor is normalised.
+    /// Reads vectors of `N` numbers; integers become floats, between −1 and 1 where the accessor is normalised.
     pub fn vectors<const N: usize>(&self, index: Index<Accessor>) -> Result<Vec<[f32; N]>, Fault> {
         let accessor = &self.root.accessors[index.value()];
         let size = match accessor.type_ {
@@ -71,7 +71,7 @@ impl Data<'_> {
         }
     }
 
-    /// Indices of 8, 16 or 32 bits.
+    /// Reads indices of 8, 16 or 32 bits.
     pub fn indices(&self, index: Index<Accessor>) -> Result<Vec<u32>, Fault> {
         let accessor = &self.root.accessors[index.value()];
         let single = matches!(accessor.type_, Checked::Valid(Type::Scalar));
@@ -103,14 +103,14 @@ impl Data<'_> {
                 .strided(view, start, accessor.count.0, size, label)?
                 .map(|row| decode(&row[..size]))
                 .collect(),
-            None if accessor.count.0 <= MOST_ZERO_ROWS => {
+            None if accessor.count.0 <= MAX_ZERO_ROWS => {
                 // The widest row is a matrix of 16 floats.
                 vec![decode(&[0; 64][..size]); accessor.count.0 as usize]
             }
             None => {
                 let count = accessor.count.0;
                 return Err(Fault(format!(
-                    "accessor {index} has {count} rows of no bytes, at most {MOST_ZERO_ROWS} are read"
+                    "accessor {index} has {count} rows of no bytes, at most {MAX_ZERO_ROWS} are read"
                 )));
             }
         };

@@ -1,8 +1,8 @@
-//! What the maps say when they are asked is what they say in a picture, and what the lookup in Rust makes of them.
+//! What a query of the maps says is what they say in a picture, and what the lookup in Rust makes of them.
 
 mod common;
 
-use common::{PIXELS, from_above, gpu, plate_over_ground};
+use common::{PIXELS, from_above, gpu, plate};
 use glam::Vec3;
 use umbrage_render::umbrage::{Filter, Lookup, Settings};
 use umbrage_render::{Frame, Point, RenderError, Renderer, Show};
@@ -32,25 +32,13 @@ fn the_maps_say_what_the_lookup_in_rust_says() {
         let scene = worlds::build(world, 0).expect("a world");
         let settings = Settings { filter: Filter::Bilinear {}, ..Settings::default() };
         let mut renderer = Renderer::new(&gpu, &scene, settings.clone()).expect("a renderer");
-        let camera = umbrage_render::camera(&scene.cameras[0], 1.6).expect("a good camera");
-        let lamps =
-            scene.lights.iter().map(|light| umbrage_render::lamp(light, 0.0).expect("a light")).collect();
-        let frame = Frame {
-            camera,
-            planned_for: None,
-            lamps,
-            seconds: 0.0,
-            width: 160,
-            height: 100,
-            samples: 1,
-            show: Show::Nothing,
-        };
-        let plan = renderer.render(&frame).expect("a frame").plan;
-        assert_eq!(renderer.picture().expect("a picture").rgba.len(), 4, "no picture is drawn");
-        let maps = renderer.maps().expect("maps");
-        let lookup = Lookup { plan: &plan, settings: &settings, maps: &maps };
+        let frame = Frame::of(&scene.cameras[0], &scene.lights, 0.0, [160, 100], Show::Nothing);
+        let drawn = renderer.render(&frame.expect("a good camera")).expect("a frame").drawn;
+        assert_eq!(drawn.picture().expect("a picture").rgba.len(), 4, "no picture is drawn");
+        let maps = renderer.maps(&drawn).expect("maps");
+        let lookup = Lookup { plan: drawn.plan(), settings: &settings, maps: &maps };
         let points = middles(&scene);
-        let answers = renderer.ask(0, &points).expect("answers");
+        let answers = renderer.query(&drawn, 0, &points).expect("answers");
         assert_eq!(answers.len(), points.len());
         let differ = |(point, answer): &(&Point, &f32)| {
             (lookup.visibility(0, point.position, point.normal) - **answer).abs() > 1.0 / 256.0
@@ -67,13 +55,13 @@ fn the_maps_say_what_the_lookup_in_rust_says() {
 #[test]
 fn the_maps_say_what_the_picture_shows() {
     let gpu = gpu();
-    let scene = plate_over_ground();
+    let scene = plate();
     let settings = Settings { filter: Filter::Pcf { size: 5 }, resolution: 128, ..Settings::default() };
     let mut renderer = Renderer::new(&gpu, &scene, settings).expect("a renderer");
     let sun = Light::sun(Vec3::new(0.2, -1.0, 0.1), 1.0);
     let frame = from_above(&sun, Show::Visibility(0));
-    renderer.render(&frame).expect("a frame");
-    let picture = renderer.picture().expect("a picture");
+    let drawn = renderer.render(&frame).expect("a frame").drawn;
+    let picture = drawn.picture().expect("a picture");
     let world_from_clip = frame.camera.clip_from_world().inverse();
     let ground = |pixel: u32| {
         let centre = |at: u32| (at as f32 + 0.5) / PIXELS as f32 * 2.0 - 1.0;
@@ -82,7 +70,7 @@ fn the_maps_say_what_the_picture_shows() {
         Point { position: Vec3::new(seen.x, 0.0, seen.z), normal: Vec3::Y }
     };
     let points: Vec<Point> = (0..PIXELS * PIXELS).map(ground).collect();
-    let answers = renderer.ask(0, &points).expect("answers");
+    let answers = renderer.query(&drawn, 0, &points).expect("answers");
     let grey = picture.rgba.iter().step_by(4).map(|grey| f32::from(*grey) / 255.0);
     // Half a level of grey, and what rounding of the position makes of a slope over a few texels.
     let differing = grey.zip(&answers).filter(|(grey, answer)| (grey - **answer).abs() > 2.0 / 255.0).count();
@@ -92,20 +80,27 @@ fn the_maps_say_what_the_picture_shows() {
 }
 
 #[test]
-fn there_is_no_answer_without_a_frame_or_of_a_lamp_that_is_not_there() {
+fn there_is_no_answer_from_maps_of_another_frame_or_of_a_light_that_is_not_there() {
     let gpu = gpu();
-    let scene = plate_over_ground();
+    let scene = plate();
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let point = Point { position: Vec3::ZERO, normal: Vec3::Y };
     let refused = |asked: Result<Vec<f32>, RenderError>| asked.expect_err("nothing to ask").to_string();
-    assert!(refused(renderer.ask(0, &[point])).contains("no frame"), "before any frame");
     let sun = Light::sun(Vec3::NEG_Y, 1.0);
-    renderer.render(&from_above(&sun, Show::World)).expect("a frame");
-    assert_eq!(renderer.ask(0, &[point]).expect("an answer"), [0.0], "under the plate");
-    assert!(renderer.ask(0, &[]).expect("no answers").is_empty());
-    assert!(refused(renderer.ask(1, &[point])).contains("no lamp 1"), "one sun");
-    renderer.render(&from_above(&sun, Show::Unshadowed)).expect("a frame");
-    assert!(refused(renderer.ask(0, &[point])).contains("no lamp 0"), "no shadows");
+    let drawn = renderer.render(&from_above(&sun, Show::World)).expect("a frame").drawn;
+    assert_eq!(renderer.query(&drawn, 0, &[point]).expect("an answer"), [0.0], "under the plate");
+    assert!(renderer.query(&drawn, 0, &[]).expect("no answers").is_empty());
+    assert!(refused(renderer.query(&drawn, 1, &[point])).contains("no light 1"), "one sun");
+    let mut beside = renderer.beside(Settings::default()).expect("another renderer");
+    assert!(refused(beside.query(&drawn, 0, &[point])).contains("maps of this frame are gone"), "another's");
+    let unshadowed = renderer.render(&from_above(&sun, Show::Unshadowed)).expect("a frame").drawn;
+    assert!(refused(renderer.query(&unshadowed, 0, &[point])).contains("no light 0"), "no shadows");
+    assert!(refused(renderer.query(&drawn, 0, &[point])).contains("maps of this frame are gone"), "too old");
+    assert!(renderer.maps(&drawn).is_err() && renderer.show(&drawn, &Show::World).is_err(), "too old");
+    let drawn = renderer.render(&from_above(&sun, Show::World)).expect("a frame").drawn;
     renderer.set_settings(Settings { splits: 2, ..Settings::default() }).expect("settings");
-    assert!(refused(renderer.ask(0, &[point])).contains("no frame"), "other maps");
+    assert!(
+        refused(renderer.query(&drawn, 0, &[point])).contains("maps of this frame are gone"),
+        "other maps"
+    );
 }

@@ -1,0 +1,48 @@
+//! A light of a frame: how it shades, and the shadows that it casts.
+
+use glam::Vec3;
+use umbrage::Light;
+use umbrage_scene::LightKind;
+
+use crate::error::RenderError;
+
+/// A light that shades and casts shadows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameLight {
+    /// The light that shadows are planned for.
+    pub light: Light,
+    /// Linear RGB: of a sun, on a surface that faces it; of a spot or point light, the same at a distance of one metre.
+    pub colour: Vec3,
+    /// The angles from a spot's axis at which its light begins to fade, and ends, radians; 0 of other lights.
+    pub cone: [f32; 2],
+}
+
+impl FrameLight {
+    /// Converts a scene's light as it is `seconds` after the start.
+    ///
+    /// # Errors
+    /// When it cannot shine: a direction without length, a spot of no angle, no range.
+    pub fn at(light: &umbrage_scene::Light, seconds: f32) -> Result<Self, RenderError> {
+        let world_from_light = light.world_from_light_at(seconds);
+        let (position, direction) = (world_from_light.w_axis.truncate(), -world_from_light.z_axis.truncate());
+        let (shadows, cone) = match light.kind {
+            LightKind::Directional => (Light::directional(direction)?, [0.0; 2]),
+            LightKind::Spot { inner, outer, range } => {
+                let outer = outer.min(WIDEST_HALF_ANGLE);
+                (Light::spot(position, direction, outer, range)?, [inner.min(outer), outer])
+            }
+            LightKind::Point { range } => (Light::point(position, range)?, [0.0; 2]),
+        };
+        let strength = match light.kind {
+            LightKind::Directional => SUN_LIGHT,
+            LightKind::Spot { .. } | LightKind::Point { .. } => light.intensity,
+        };
+        Ok(Self { light: shadows, colour: light.colour * strength, cone })
+    }
+}
+
+/// A file's spot may shine on half of the world; no one map holds that, and the last tenth of a degree is given up.
+pub(crate) const WIDEST_HALF_ANGLE: f32 = std::f32::consts::FRAC_PI_2 - 1e-3;
+
+/// The light of any sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
+const SUN_LIGHT: f32 = 2.6;

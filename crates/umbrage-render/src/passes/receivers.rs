@@ -1,0 +1,87 @@
+//! The pass that shades receivers, with one of the shaders of [`crate::shaders`].
+
+use umbrage::Shadows;
+
+use crate::draws::Draw;
+use crate::gpu::Gpu;
+use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers};
+use crate::scene_uniform::SceneUniform;
+use crate::shaders::{self, Look};
+use crate::target::{DEPTH_FORMAT, Encoding};
+
+/// A pipeline that shades receivers one way, for one kind of target.
+#[derive(Debug)]
+pub(crate) struct Receivers {
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl Receivers {
+    /// `extra` is the layout of group 3, for a look whose shader has one.
+    pub fn new(
+        gpu: &Gpu,
+        look: Look,
+        (encoding, samples): (Encoding, u32),
+        (uniform, scene, shadows): (&SceneUniform, &SceneBuffers, &Shadows),
+        extra: Option<&wgpu::BindGroupLayout>,
+    ) -> Self {
+        let text = shaders::receivers(look, &shadows.wgsl(1), shadows.settings().contact.as_ref());
+        let module = gpu.module("Receivers::module", text);
+        let groups =
+            [Some(&uniform.layout), Some(shadows.bind_group_layout()), Some(&scene.material_layout), extra];
+        let layout = gpu.pipeline_layout("Receivers::layout", &groups);
+        let pipeline = gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("Receivers::pipeline"),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("receiver"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &RECEIVER_BUFFERS,
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("shade"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(encoding.format().into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline }
+    }
+
+    /// Draws receivers into a pass over a target. `extra` is group 3, for a look whose shader has one.
+    pub fn record(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        (uniform, scene, shadows): (&SceneUniform, &SceneBuffers, &Shadows),
+        extra: Option<&wgpu::BindGroup>,
+        instance_numbers: &wgpu::Buffer,
+        draws: &[Draw],
+    ) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &uniform.group, &[]);
+        pass.set_bind_group(1, shadows.bind_group(), &[]);
+        if let Some(group) = extra {
+            pass.set_bind_group(3, group, &[]);
+        }
+        scene.bind_receivers(pass, instance_numbers);
+        let mut bound = None;
+        for draw in draws {
+            if bound != Some(draw.material) {
+                pass.set_bind_group(2, &scene.materials[draw.material as usize], &[]);
+                bound = Some(draw.material);
+            }
+            pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Where a scene's instances stand, on the device. Renderers beside each other share it, so it knows its own time.
+
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
+
+use umbrage_scene::Instance;
+
+use crate::buffers::{READ, binding, filled};
+use crate::error::RenderError;
+use crate::gpu::Gpu;
+
+/// The matrices of all instances, in one buffer.
+#[derive(Debug)]
+pub(crate) struct Placement {
+    /// What is placed, in the buffer's order.
+    pub instances: Vec<Instance>,
+    /// `world_from_mesh` of every instance.
+    pub buffer: wgpu::Buffer,
+    /// Runs of instances that move; all others are written once.
+    moving: Vec<Range<usize>>,
+    now: Mutex<Now>,
+}
+
+/// What is in the buffer.
+#[derive(Debug)]
+struct Now {
+    seconds: f32,
+    /// Room for the matrices of a run.
+    matrices: Vec<[f32; 16]>,
+}
+
+impl Placement {
+    /// Places instances as they are at the start.
+    pub fn new(gpu: &Gpu, instances: &[Instance]) -> Result<Self, RenderError> {
+        let matrices: Vec<[f32; 16]> =
+            instances.iter().map(|instance| instance.world_from_mesh.to_cols_array()).collect();
+        let bytes = bytemuck::cast_slice(if matrices.is_empty() { &[[0.0; 16]][..] } else { &matrices });
+        Ok(Self {
+            instances: instances.to_vec(),
+            buffer: filled(gpu, "instances", bytes, wgpu::BufferUsages::STORAGE)?,
+            moving: runs(instances),
+            now: Mutex::new(Now { seconds: 0.0, matrices }),
+        })
+    }
+
+    /// The binding type of the buffer in shaders.
+    pub fn binding() -> wgpu::BindingType {
+        binding(READ)
+    }
+
+    /// Writes where the instances that move stand at a time, unless they are there.
+    pub fn move_to(&self, gpu: &Gpu, seconds: f32) {
+        // Whoever died here left matrices that are written anew at another time.
+        let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
+        let Now { seconds: then, matrices } = &mut *now;
+        if *then == seconds {
+            return;
+        }
+        *then = seconds;
+        for run in &self.moving {
+            matrices.clear();
+            let moved = self.instances[run.clone()].iter().map(|of| of.world_from_mesh_at(seconds));
+            matrices.extend(moved.map(|matrix| matrix.to_cols_array()));
+            let offset = (run.start * size_of::<[f32; 16]>()) as u64;
+            gpu.queue.write_buffer(&self.buffer, offset, bytemuck::cast_slice(matrices));
+        }
+    }
+}
+
+/// The ranges of neighbours that move.
+fn runs(instances: &[Instance]) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for (i, _) in instances.iter().enumerate().filter(|(_, instance)| instance.is_dynamic()) {
+        match runs.last_mut() {
+            Some(last) if last.end == i => last.end = i + 1,
+            Some(_) | None => runs.push(i..i + 1),
+        }
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{Mat4, Vec3};
+    use umbrage_scene::Motion;
+
+    use super::*;
+
+    #[test]
+    fn neighbours_that_move_are_one_run_and_what_is_still_is_in_none() {
+        let turn = Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
+        let with = |motion| Instance { motion, ..Instance::still(0, Mat4::IDENTITY) };
+        let all = [Motion::Still, turn, turn, Motion::Still, turn].map(with);
+        assert_eq!(runs(&all), [1..3, 4..5]);
+        assert_eq!(runs(&all[..1]), []);
+    }
+}

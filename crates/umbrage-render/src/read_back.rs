@@ -1,0 +1,70 @@
+//! Bytes of a buffer on their way to the CPU: waited for, or polled until they are there.
+
+use crate::error::RenderError;
+use crate::gpu::Gpu;
+
+impl Gpu {
+    /// Copies the first `count` numbers of a buffer to the CPU, and waits for them.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub(crate) fn read_floats(&self, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<f32>, RenderError> {
+        let size = 4 * count as u64;
+        let copy = self.buffer(&wgpu::BufferDescriptor {
+            label: Some("Gpu::read_floats"),
+            size,
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.encoder("Gpu::read_floats");
+        encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, size);
+        self.queue.submit([encoder.finish()]);
+        self.read_mapped(copy, |bytes| {
+            bytes.as_chunks().0.iter().map(|four| f32::from_ne_bytes(*four)).collect()
+        })
+    }
+
+    /// What `read` makes of the bytes of a buffer that can be mapped, once everything handed over is done.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub(crate) fn read_mapped<T>(
+        &self,
+        buffer: wgpu::Buffer,
+        read: impl FnOnce(&[u8]) -> T,
+    ) -> Result<T, RenderError> {
+        let coming = Coming::new(buffer);
+        self.wait()?;
+        coming.take(read).unwrap_or_else(|| Err(RenderError::Device("a buffer was not mapped".to_owned())))
+    }
+}
+
+/// The bytes of a buffer on their way to the CPU.
+#[derive(Debug)]
+pub(crate) struct Coming {
+    buffer: wgpu::Buffer,
+    mapped: std::sync::mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
+}
+
+impl Coming {
+    /// Starts to map the buffer: the bytes come when everything that was handed over before is done.
+    pub fn new(buffer: wgpu::Buffer) -> Self {
+        let (sender, mapped) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver may be gone.
+            let _ = sender.send(result);
+        });
+        Self { buffer, mapped }
+    }
+
+    /// What `read` makes of them; `None` where they have not come yet.
+    pub fn take<T>(&self, read: impl FnOnce(&[u8]) -> T) -> Option<Result<T, RenderError>> {
+        let failed = |error: &dyn std::fmt::Display| RenderError::Device(error.to_string());
+        match self.mapped.try_recv() {
+            Err(std::sync::mpsc::TryRecvError::Empty) => None,
+            Err(error) => Some(Err(failed(&error))),
+            Ok(Err(error)) => Some(Err(failed(&error))),
+            Ok(Ok(())) => Some(self.buffer.get_mapped_range(..).map(|b| read(&b)).map_err(|e| failed(&e))),
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! Which files make which shader: plain WGSL, one after another. Every way to look at a scene has a shader of its own, so
+//! that none pays for another's branches.
+//!
+//! Texts of `umbrage` come as arguments: `receiver` is that of its receivers, whose bindings are group 1.
+
+use std::fmt::Write as _;
+
+use umbrage::{Contact, contact_wgsl};
+
+use crate::frame::{Mark, Show};
+
+const SCENE: &str = include_str!("../shaders/scene.wgsl");
+const MATERIAL: &str = include_str!("../shaders/material.wgsl");
+const RECEIVER: &str = include_str!("../shaders/receiver.wgsl");
+const LIGHTS: &str = include_str!("../shaders/lights.wgsl");
+const SKY_LIGHT: &str = include_str!("../shaders/sky_light.wgsl");
+const TONE: &str = include_str!("../shaders/tone.wgsl");
+const SURFACE: &str = include_str!("../shaders/surface.wgsl");
+const SPLIT_COLOUR: &str = include_str!("../shaders/marks/split_colour.wgsl");
+const FOOTPRINT: &str = include_str!("../shaders/marks/footprint.wgsl");
+
+/// Colours that tell splits apart, linear red, green and blue, dark to light as print goes: after Okabe and Ito. More
+/// splits than these begin with the first again.
+pub const SPLIT_COLOURS: [[f32; 3]; 9] = [
+    [0.80, 0.15, 0.05],
+    [0.90, 0.55, 0.05],
+    [0.05, 0.45, 0.25],
+    [0.05, 0.30, 0.70],
+    [0.55, 0.15, 0.50],
+    [0.10, 0.60, 0.75],
+    [0.75, 0.70, 0.10],
+    [0.40, 0.25, 0.10],
+    [0.50, 0.50, 0.50],
+];
+
+/// How receivers look; each has a shader of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Look {
+    World,
+    Unshadowed,
+    Given,
+    Marked(Mark),
+    Visibility,
+}
+
+/// Where a fragment's visibility comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Visibility {
+    /// The shader needs none.
+    Unused,
+    /// All light reaches everything.
+    Full,
+    /// A number a pixel and light, as group 3.
+    Given,
+    /// The shadow maps, as group 1.
+    Maps,
+    /// The shadow maps, and the camera's depth, as group 3.
+    MapsAndContact,
+}
+
+impl Look {
+    /// How receivers look in a picture; `None` where it has none.
+    pub fn of(show: &Show) -> Option<Self> {
+        match show {
+            Show::World => Some(Self::World),
+            Show::Unshadowed => Some(Self::Unshadowed),
+            Show::Given(_) => Some(Self::Given),
+            Show::Marked(mark) => Some(Self::Marked(*mark)),
+            Show::Visibility(_) => Some(Self::Visibility),
+            Show::Nothing => None,
+        }
+    }
+
+    /// Where its shader takes visibility from, with contact shadows or without.
+    pub fn visibility(self, has_contact: bool) -> Visibility {
+        match self {
+            Self::Unshadowed => Visibility::Full,
+            Self::Given => Visibility::Given,
+            Self::Marked(Mark::Extents) => Visibility::Unused,
+            Self::World | Self::Marked(Mark::Splits | Mark::Texels) | Self::Visibility if has_contact => {
+                Visibility::MapsAndContact
+            }
+            Self::World | Self::Marked(Mark::Splits | Mark::Texels) | Self::Visibility => Visibility::Maps,
+        }
+    }
+}
+
+/// Receivers: the vertex shader `receiver`, the fragment shader `shade`.
+pub(crate) fn receivers(look: Look, receiver: &str, contact: Option<&Contact>) -> String {
+    let surface = [MATERIAL, LIGHTS, SKY_LIGHT, TONE, SURFACE];
+    let visibility = visibility(look.visibility(contact.is_some()), contact);
+    let mut text = [receiver, SCENE, RECEIVER].join("\n") + &visibility;
+    let files: &[&str] = match look {
+        Look::World | Look::Unshadowed | Look::Given => {
+            text += &surface.join("\n");
+            &[include_str!("../shaders/shade.wgsl")]
+        }
+        Look::Marked(Mark::Splits) => {
+            text += &surface.join("\n");
+            text += &split_colours();
+            &[SPLIT_COLOUR, include_str!("../shaders/marks/split_tint.wgsl")]
+        }
+        Look::Marked(Mark::Texels) => {
+            text += &surface.join("\n");
+            text += &split_colours();
+            &[SPLIT_COLOUR, FOOTPRINT, include_str!("../shaders/marks/texel_chequer.wgsl")]
+        }
+        Look::Marked(Mark::Extents) => &[FOOTPRINT, include_str!("../shaders/marks/texel_extent.wgsl")],
+        Look::Visibility => &[include_str!("../shaders/visibility.wgsl")],
+    };
+    text + &files.join("\n")
+}
+
+/// The text of `visibility_at`.
+fn visibility(from: Visibility, contact: Option<&Contact>) -> String {
+    match from {
+        Visibility::Unused => String::new(),
+        Visibility::Full => include_str!("../shaders/visibility/full.wgsl").to_owned(),
+        Visibility::Given => include_str!("../shaders/visibility/given.wgsl").to_owned(),
+        Visibility::Maps => include_str!("../shaders/visibility/maps.wgsl").to_owned(),
+        Visibility::MapsAndContact => {
+            let march = contact.map(|contact| contact_wgsl(contact, 3)).unwrap_or_default();
+            march + include_str!("../shaders/visibility/maps_and_contact.wgsl")
+        }
+    }
+}
+
+/// [`SPLIT_COLOURS`] as the shaders have them.
+fn split_colours() -> String {
+    let colour = |[red, green, blue]: [f32; 3]| format!("vec3f({red:?}, {green:?}, {blue:?})");
+    let (count, list) = (SPLIT_COLOURS.len(), SPLIT_COLOURS.map(colour).join(", "));
+    let mut text = format!("const SPLIT_COLOURS = array<vec3f, {count}>({list});\n");
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "const SPLIT_COLOUR_COUNT: u32 = {count}u;");
+    text
+}
+
+/// The camera's depth: the vertex shader `receiver` alone.
+pub(crate) fn depth() -> String {
+    [SCENE, RECEIVER].join("\n")
+}
+
+/// The sky: the vertex shader `sky`, the fragment shader `sky_shade`.
+pub(crate) fn sky() -> String {
+    [SCENE, SKY_LIGHT, TONE, include_str!("../shaders/sky.wgsl")].join("\n")
+}
+
+/// The sky where visibility is shown: the vertex shader `sky`, the fragment shader `sky_visibility`.
+pub(crate) fn lit_sky() -> String {
+    include_str!("../shaders/sky_lit.wgsl").to_owned()
+}
+
+/// Casters: the vertex shader `caster`.
+pub(crate) fn casters(caster: &str) -> String {
+    [caster, include_str!("../shaders/caster.wgsl")].concat()
+}
+
+/// Queries of points: the compute shader `find_visibility`.
+pub(crate) fn query(receiver: &str) -> String {
+    [receiver, include_str!("../shaders/query.wgsl")].concat()
+}
+
+/// Maps as pictures: the compute shaders `find_range` and `paint`.
+pub(crate) fn map_picture(map: &str) -> String {
+    [map, include_str!("../shaders/map_picture.wgsl")].concat()
+}
+
+/// Sums of pictures: the compute shader `add`.
+pub(crate) fn area_sum() -> String {
+    include_str!("../shaders/area_sum.wgsl").to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use umbrage::{Capabilities, Filter, Select, Settings, caster_wgsl, map_wgsl, receiver_wgsl};
+
+    use super::*;
+
+    const LOOKS: [Look; 7] = [
+        Look::World,
+        Look::Unshadowed,
+        Look::Given,
+        Look::Marked(Mark::Splits),
+        Look::Marked(Mark::Texels),
+        Look::Marked(Mark::Extents),
+        Look::Visibility,
+    ];
+
+    fn check(text: &str) {
+        let module =
+            naga::front::wgsl::parse_str(text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(text)));
+        let (flags, capabilities) = (naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+        let result = naga::valid::Validator::new(flags, capabilities).validate(&module);
+        result.unwrap_or_else(|e| panic!("{}", e.emit_to_string(text)));
+    }
+
+    #[test]
+    fn every_shader_of_the_renderer_is_valid_wgsl() {
+        check(&casters(&caster_wgsl()));
+        [depth(), sky(), lit_sky(), area_sum(), map_picture(&map_wgsl())].iter().for_each(|text| check(text));
+        for select in [Select::Depth, Select::ClipDepth, Select::Map] {
+            for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
+                let settings = Settings { select, filter, ..Settings::default() };
+                let shadows = receiver_wgsl(&settings, Capabilities::ALL, 1);
+                check(&query(&shadows));
+                for look in LOOKS {
+                    check(&receivers(look, &shadows, None));
+                    check(&receivers(look, &shadows, Some(&Contact::default())));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_shader_of_the_plain_picture_holds_nothing_of_the_others() {
+        let text = receivers(Look::World, "", None);
+        for word in ["split_colour", "footprint", "given", "shown_light,", "extent", "mark"] {
+            assert!(!text.contains(word), "{word}");
+        }
+        println!("{} bytes of WGSL without the library's", text.len());
+    }
+
+    #[test]
+    fn split_colours_are_the_same_in_the_shader() {
+        let text = split_colours();
+        assert!(text.contains("array<vec3f, 9>(vec3f(0.8, 0.15, 0.05), vec3f(0.9, 0.55, 0.05)"), "{text}");
+    }
+}
