@@ -84,7 +84,7 @@ fn lights(scene: &Scene) -> String {
     let text = |(name, count): (&str, usize)| format!("{count} {name}{}", if count == 1 { "" } else { "s" });
     let counts: Vec<String> = counts.into_iter().map(text).collect();
     let turns = scene.lights.iter().find_map(|light| match light.motion {
-        Motion::Turn { radians_per_second, .. } => Some(TAU / radians_per_second.abs()),
+        Motion::Rotation { radians_per_second, .. } => Some(TAU / radians_per_second.abs()),
         Motion::Still => None,
     });
     counts.join(", ") + &turns.map_or_else(String::new, |seconds| format!(", turning in {seconds:.0} s"))
