@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use anyhow::Context as _;
-use serde_json::Value;
 
 use crate::command::write_document;
 use crate::reports::Reports;
@@ -60,7 +59,7 @@ pub fn said(name: &str, reports: &Reports) -> anyhow::Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 

@@ -38,13 +38,13 @@ pub fn poisson(count: usize, centred: bool) -> impl Iterator<Item = Vec2> {
     points.iter().map(move |point| (*point - middle) / size)
 }
 
-/// Point `i` of `count` on the unit disc, each with as much of its area.
+/// Point `i` of `count` on the unit disc: a spiral whose points have equal areas (Vogel 1979).
 pub fn vogel(i: usize, count: usize) -> Vec2 {
     let radius = ((i as f32 + 0.5) / count.max(1) as f32).sqrt();
     Vec2::from_angle(i as f32 * GOLDEN_ANGLE) * radius
 }
 
-/// All points of that spiral.
+/// All points of the spiral of [`vogel`].
 pub fn spiral(count: u32) -> Vec<Vec2> {
     (0..count as usize).map(|i| vogel(i, count as usize)).collect()
 }
@@ -58,12 +58,12 @@ pub fn two_squares(i: usize) -> Vec4 {
     Vec4::new(part(1) as f32, part(2) as f32, part(3) as f32, part(4) as f32)
 }
 
-/// A number from 0 to 1 for a place on the screen, pixels: even over any few neighbours.
+/// The noise of a place on the screen in pixels, from 0 to 1: even over any few neighbours (Jimenez 2014).
 pub fn interleaved_gradient_noise(pixel: Vec2) -> f32 {
     (52.982_918_9 * pixel.dot(Vec2::new(0.067_110_56, 0.005_837_15)).fract()).fract()
 }
 
-/// A number from 0 to 1 for a place in the world: another one every millimetre.
+/// The noise of a place in the world in metres, from 0 to 1: another one every millimetre.
 pub fn world_noise(position: Vec3) -> f32 {
     let [x, y, z] = (position * 1000.0).floor().to_array().map(|part| (part as i32).cast_unsigned());
     (pcg(x.wrapping_add(pcg(y.wrapping_add(pcg(z))))) >> 8) as f32 / 16_777_216.0
@@ -86,8 +86,8 @@ fn pcg(value: u32) -> u32 {
     (word >> 22) ^ word
 }
 
-/// What texels at distance 0, 1, … `reach` of a Gaussian weigh; both sides together 1. Its standard deviation is half of the
-/// reach.
+/// The weights of texels at distance 0, 1, … `reach` from the middle of a Gaussian, whose standard deviation is half of the
+/// reach; those of both sides together are 1.
 pub fn gaussian(reach: u32) -> Vec<f32> {
     let deviation = 0.5 * f64::from(reach.max(1));
     let weights: Vec<f64> = (0..=reach).map(|i| (-0.5 * (f64::from(i) / deviation).powi(2)).exp()).collect();

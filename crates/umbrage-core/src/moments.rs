@@ -60,7 +60,7 @@ impl Moments {
         }
     }
 
-    /// What one depth is stored as. `slope` is how much depth grows from a texel to the next, to the right and downward;
+    /// The moments of one depth, as they are stored. `slope` is how much depth grows from a texel to the next, to the right and downward;
     /// only [`Vsm`] asks for it.
     pub fn of_depth(&self, depth: f32, slope: Vec2) -> Vec4 {
         let depth = depth.clamp(0.0, 1.0);

@@ -1,320 +1,39 @@
-//! Named settings: what the sources measured, as data.
-//!
-//! The engines' are their defaults of 2026, as far as this planner has what they do; what differs is said.
-//!
-//! The papers' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have
-//! the same bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
+//! Named settings: this project's own, and what the sources measured, as data.
 
-use crate::filter::{Disc, Filter, Footprint, Pcss};
-use crate::fit::Fit;
-use crate::settings::{Bias, CasterFaces, DepthFormat, Scheme, Select, Settings, Storage};
-use crate::warp::Warp;
+mod own;
+mod preset;
+mod published;
 
-/// Settings with a name and a source.
-#[derive(Clone, Copy, Debug)]
-pub struct Preset {
-    /// What the command line calls it.
-    pub name: &'static str,
-    /// Where it comes from.
-    pub source: &'static str,
-    /// Makes the settings.
-    pub settings: fn() -> Settings,
+use self::own::OWN;
+use self::published::PUBLISHED;
+
+pub use preset::Preset;
+
+/// Every preset, the default first.
+pub const PRESETS: &[Preset] = &all();
+
+const fn all() -> [Preset; OWN.as_flattened().len() + PUBLISHED.len()] {
+    let own = OWN.as_flattened();
+    let mut all = [own[0]; OWN.as_flattened().len() + PUBLISHED.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = if i < own.len() { own[i] } else { PUBLISHED[i - own.len()] };
+        i += 1;
+    }
+    all
 }
 
 impl Preset {
-    /// The preset called `name`.
+    /// The preset called `name`; `None` where none is.
     pub fn named(name: &str) -> Option<&'static Self> {
         PRESETS.iter().find(|preset| preset.name == name)
-    }
-}
-
-/// Every preset, the default first.
-pub const PRESETS: &[Preset] = &[
-    Preset {
-        name: "default",
-        source: "this project: four maps in 16 MiB, a bell of 3 × 3 lookups",
-        settings: Settings::default,
-    },
-    Preset {
-        name: "default-4mib",
-        source: "this project: the same in 4 MiB",
-        settings: || sized(512, Settings::default()),
-    },
-    Preset {
-        name: "default-64mib",
-        source: "this project: the same in 64 MiB",
-        settings: || sized(2048, Settings::default()),
-    },
-    Preset {
-        name: "fast",
-        source: "this project: three maps within 16 MiB, one lookup of the sampler's size",
-        settings: || sized(1024, fast()),
-    },
-    Preset {
-        name: "fast-4mib",
-        source: "this project: the same within 4 MiB",
-        settings: || sized(512, fast()),
-    },
-    Preset {
-        name: "fast-64mib",
-        source: "this project: the same within 64 MiB",
-        settings: || sized(2048, fast()),
-    },
-    Preset {
-        name: "best",
-        source: "this project: four maps in 16 MiB, all that the pixel covers, the least error against its area",
-        settings: || sized(1024, best()),
-    },
-    Preset { name: "best-4mib", source: "this project: the same in 4 MiB", settings: || sized(512, best()) },
-    Preset {
-        name: "best-64mib",
-        source: "this project: the same in 64 MiB",
-        settings: || sized(2048, best()),
-    },
-    Preset {
-        name: "soft",
-        source: "this project: penumbrae of a sun of 0.53°, four maps in 16 MiB, 16 points",
-        settings: || sized(1024, soft(16, 16)),
-    },
-    Preset {
-        name: "soft-4mib",
-        source: "this project: the same in 4 MiB",
-        settings: || sized(512, soft(16, 16)),
-    },
-    Preset {
-        name: "soft-64mib",
-        source: "this project: the same in 64 MiB",
-        settings: || sized(2048, soft(16, 16)),
-    },
-    Preset {
-        name: "soft-fast",
-        source: "this project: penumbrae of a sun of 0.53°, three maps within 16 MiB, 8 points",
-        settings: || sized(1024, Settings { splits: 3, ..soft(8, 8) }),
-    },
-    Preset {
-        name: "soft-fast-4mib",
-        source: "this project: the same within 4 MiB",
-        settings: || sized(512, Settings { splits: 3, ..soft(8, 8) }),
-    },
-    Preset {
-        name: "soft-fast-64mib",
-        source: "this project: the same within 64 MiB",
-        settings: || sized(2048, Settings { splits: 3, ..soft(8, 8) }),
-    },
-    Preset {
-        name: "soft-best",
-        source: "this project: penumbrae of a sun of 0.53°, four maps in 16 MiB, 64 points",
-        settings: || sized(1024, soft(32, 64)),
-    },
-    Preset {
-        name: "soft-best-4mib",
-        source: "this project: the same in 4 MiB",
-        settings: || sized(512, soft(32, 64)),
-    },
-    Preset {
-        name: "soft-best-64mib",
-        source: "this project: the same in 64 MiB",
-        settings: || sized(2048, soft(32, 64)),
-    },
-    Preset {
-        name: "ferko-sm-1024",
-        source: "Ferko 2010, table 5.1: one map of 1024²",
-        settings: || ferko(1, 1024),
-    },
-    Preset {
-        name: "ferko-sm-2048",
-        source: "Ferko 2010, table 5.1: one map of 2048²",
-        settings: || ferko(1, 2048),
-    },
-    Preset {
-        name: "ferko-pssm-3x512",
-        source: "Ferko 2010, table 5.2: three maps of 512², λ = 0.5",
-        settings: || ferko(3, 512),
-    },
-    Preset {
-        name: "ferko-pssm-3x1024",
-        source: "Ferko 2010, table 5.2: three maps of 1024², λ = 0.5",
-        settings: || ferko(3, 1024),
-    },
-    Preset {
-        name: "zhang-ssm-1024",
-        source: "Zhang et al. 2006, §4: one map of 1024²",
-        settings: || zhang(1, 1024),
-    },
-    Preset {
-        name: "zhang-psm-1024",
-        source: "Zhang et al. 2006, §4: one map of 1024², PSM",
-        settings: || Settings { warp: Warp::Psm, ..zhang(1, 1024) },
-    },
-    Preset {
-        name: "zhang-lispsm-1024",
-        source: "Zhang et al. 2006, §4: one map of 1024², LiSPSM",
-        settings: || Settings { warp: Warp::Lispsm, ..zhang(1, 1024) },
-    },
-    Preset {
-        name: "zhang-tsm-1024",
-        source: "Zhang et al. 2006, §4: one map of 1024², TSM",
-        settings: || Settings { warp: Warp::Tsm, ..zhang(1, 1024) },
-    },
-    Preset {
-        name: "zhang-pssm2-512",
-        source: "Zhang et al. 2006, table 1: PSSM(2; 512²)",
-        settings: || zhang(2, 512),
-    },
-    Preset {
-        name: "zhang-pssm3-512",
-        source: "Zhang et al. 2006, table 1: PSSM(3; 512²)",
-        settings: || zhang(3, 512),
-    },
-    Preset {
-        name: "zhang-pssm4-512",
-        source: "Zhang et al. 2006, table 1: PSSM(4; 512²)",
-        settings: || zhang(4, 512),
-    },
-    Preset {
-        name: "tutorial-16",
-        source: "opengl-tutorial 16: one map of 1024², 16 bits, four stratified points, a bias by slope",
-        settings: tutorial,
-    },
-    Preset {
-        name: "bevy",
-        source: "Bevy 0.20-dev: four stable maps of 2048² to 150 m, Castaño 5 × 5; its normal bias has no sine, ours has",
-        settings: || Settings {
-            scheme: Scheme::Manual,
-            manual: vec![10.0, 24.66, 60.82], // 10 m, then equal ratios to 150 m
-            distance: Some(150.0),
-            blend: 0.2,
-            resolution: 2048,
-            filter: Filter::Optimised { size: 5 },
-            // 1.8 √2 texels along the normal; the kernel reaches 3 texels, and a texel's diagonal is √2.
-            bias: Bias { normal: 0.6, constant: 0.02, ..Bias::NONE },
-            ..peer()
-        },
-    },
-    Preset {
-        name: "godot",
-        source: "Godot 4.7: four stable maps of 2048² in 16 bits to 100 m, a spiral of points turned by noise",
-        settings: || Settings {
-            scheme: Scheme::Manual,
-            manual: vec![10.0, 20.0, 50.0],
-            distance: Some(100.0),
-            resolution: 2048,
-            depth: DepthFormat::U16,
-            storage: Storage::Atlas,
-            filter: Filter::Vogel(Disc { taps: 8, radius_texels: 1.5, ..Disc::default() }),
-            bias: Bias { normal: 0.8, constant: 0.1, ..Bias::NONE },
-            ..peer()
-        },
-    },
-    Preset {
-        name: "filament",
-        source: "Filament 1.74: one map of 1024² to 100 m with LiSPSM, Castaño 3 × 3, polygon offset and a normal bias",
-        settings: || Settings {
-            splits: 1,
-            distance: Some(100.0),
-            fit: Fit::Scene,
-            warp: Warp::Lispsm,
-            filter: Filter::Optimised { size: 3 },
-            bias: Bias { normal: 0.5, constant: 0.001, raster_constant: 2, raster_slope: 0.5, ..Bias::NONE },
-            ..peer()
-        },
-    },
-    Preset {
-        name: "three",
-        source: "three.js r185 with its CSM addon: three stable maps of 2048², λ = 0.5, five points turned by noise, back faces cast",
-        settings: || Settings {
-            splits: 3,
-            lambda: 0.5,
-            resolution: 2048,
-            filter: Filter::Vogel(Disc { taps: 5, radius_texels: 1.0, ..Disc::default() }),
-            bias: Bias { casters: CasterFaces::Back, ..Bias::NONE },
-            ..peer()
-        },
-    },
-    Preset {
-        name: "mjp",
-        source: "Pettineo's Shadows: four maps of 2048², cuts at 5, 15 and 50 % of 250 m, PCF 7 × 7 with the receiver's plane",
-        settings: || Settings {
-            scheme: Scheme::Manual,
-            manual: vec![12.5, 37.5, 125.0],
-            distance: Some(250.0),
-            fit: Fit::View,
-            resolution: 2048,
-            select: Select::Map,
-            blend: 0.1,
-            filter: Filter::Pcf { size: 7 },
-            bias: Bias { receiver_plane: true, constant: 0.005, ..Bias::NONE },
-            ..peer()
-        },
-    },
-];
-
-/// Maps of so many texels a side; a soft filter reaches over a 32nd of them.
-fn sized(resolution: u32, settings: Settings) -> Settings {
-    let filter = match settings.filter {
-        Filter::Pcss(pcss) => Filter::Pcss(Pcss { max_texels: resolution as f32 / 32.0, ..pcss }),
-        other => other,
-    };
-    Settings { resolution, filter, ..settings }
-}
-
-fn fast() -> Settings {
-    Settings { splits: 3, filter: Filter::Bilinear {}, ..Settings::default() }
-}
-
-fn best() -> Settings {
-    Settings { filter: Filter::Footprint(Footprint::default()), ..Settings::default() }
-}
-
-/// The sun's own size, and so many points to search and to compare.
-fn soft(blockers: u32, taps: u32) -> Settings {
-    Settings { filter: Filter::Pcss(Pcss { blockers, taps, ..Pcss::default() }), ..Settings::default() }
-}
-
-/// The tutorial: its biases are 0.005 and 0.01 of a depth range of 30 m, here in texels of its map.
-fn tutorial() -> Settings {
-    let slope = 0.005 * 30.0 / (20.0 / 1024.0);
-    let disc = Disc { taps: 4, radius_texels: 1024.0 / 700.0, centred: false, ..Disc::default() };
-    Settings {
-        splits: 1,
-        depth: DepthFormat::U16,
-        fit: Fit::Scene,
-        select: Select::Depth,
-        filter: Filter::Stratified(disc),
-        bias: Bias { slope, slope_limit: 2.0, ..Bias::NONE },
-        ..Settings::default()
-    }
-}
-
-/// What engines have in common: stable maps, a view by depth, no receiver's plane.
-fn peer() -> Settings {
-    Settings { fit: Fit::Stable, select: Select::Depth, bias: Bias::NONE, ..Settings::default() }
-}
-
-/// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel.
-fn ferko(splits: u32, resolution: u32) -> Settings {
-    Settings { splits, resolution, lambda: 0.5, fit: Fit::Scene, ..source() }
-}
-
-/// The paper: practical splits (eq. 6), boxes around the slices, one comparison a pixel.
-fn zhang(splits: u32, resolution: u32) -> Settings {
-    Settings { splits, resolution, lambda: 0.5, fit: Fit::View, ..source() }
-}
-
-/// What every source has: a view by depth, one comparison a pixel, and an offset along the normal.
-fn source() -> Settings {
-    Settings {
-        select: Select::Depth,
-        filter: Filter::Hard {},
-        bias: Bias { normal: 1.0, constant: 0.002, ..Bias::NONE },
-        ..Settings::default()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Allocation;
+    use crate::{Allocation, Filter, Footprint, Pcss, Settings};
 
     #[test]
     fn every_preset_is_valid_and_its_name_says_its_maps() {
@@ -330,6 +49,28 @@ mod tests {
                 [resolution] => assert_eq!(maps, (1, resolution), "{}", preset.name),
                 [splits, resolution] => assert_eq!(maps, (splits, resolution), "{}", preset.name),
                 _ => panic!("{} should name its maps", preset.name),
+            }
+        }
+    }
+
+    #[test]
+    fn our_own_are_six_ways_in_three_sizes() {
+        let pcss = |resolution: u32, blockers, taps| {
+            Filter::Pcss(Pcss { blockers, taps, max_texels: resolution as f32 / 32.0, ..Pcss::default() })
+        };
+        let default = Settings::default();
+        for (suffix, resolution) in [("", 1024), ("-4mib", 512), ("-64mib", 2048)] {
+            for (name, splits, filter) in [
+                ("default", 4, Filter::Optimised { size: 3 }),
+                ("fast", 3, Filter::Bilinear {}),
+                ("best", 4, Filter::Footprint(Footprint { taps: 32, max_texels: 8.0 })),
+                ("soft", 4, pcss(resolution, 16, 16)),
+                ("soft-fast", 3, pcss(resolution, 8, 8)),
+                ("soft-best", 4, pcss(resolution, 32, 64)),
+            ] {
+                let got = Preset::named(&format!("{name}{suffix}")).map(|preset| (preset.settings)());
+                let wanted = Settings { splits, resolution, filter, ..default.clone() };
+                assert_eq!(got, Some(wanted), "{name}{suffix}");
             }
         }
     }

@@ -18,55 +18,58 @@ pub use maps::{DepthFormat, Select, Storage};
 pub use shade::Shade;
 pub use splits::Scheme;
 
-/// How shadows are made. [`Settings::default`] is the preset `default`.
+/// How shadows are made. [`Settings::default`] is the preset `default`. [`crate::schema`] has a row for each setting: what
+/// it does, its range, and what a change of it costs.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Settings {
-    /// Into how many slices the camera's depth is cut for a sun, 1 to 9; 1 is an ordinary shadow map.
+    /// The number of slices (cascades) that the camera's depth is cut into for a sun, from 1 to 9; 1 is an ordinary shadow
+    /// map. The default is 4.
     pub splits: u32,
-    /// The same for a spot light, of the depth that it reaches.
+    /// The number of slices that the depth is cut into which a spot light reaches, from 1 to 9. The default is 1.
     pub spot_splits: u32,
-    /// How the cuts are placed.
+    /// How the cuts are placed. The default is [`Scheme::Practical`].
     pub scheme: Scheme,
-    /// For [`Scheme::Practical`]: 0 is uniform, 1 is logarithmic.
+    /// How [`Scheme::Practical`] mixes its two parts, from 0 to 1: 0 is uniform, 1 is logarithmic. The default is 0.8.
     pub lambda: f32,
-    /// δ_bias: moves the inner cuts away from the eye, metres, ≥ 0.
+    /// δ_bias, how far the inner cuts are moved away from the eye, from 0 to 1000000 metres. The default is 0.
     pub split_bias: f32,
-    /// For [`Scheme::Manual`]: the inner distances, metres, one less than `splits`.
+    /// The inner cuts of [`Scheme::Manual`]: rising positive distances in metres from the eye, one less than `splits`.
     pub manual: Vec<f32>,
-    /// How far from the eye there are shadows, metres; the camera's far where absent.
+    /// How far from the eye there are shadows, more than 0 and at most 1000000000 metres; `None`, the default, is the
+    /// camera's far.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub distance: Option<f32>,
-    /// A virtual near for the cuts, metres; the camera's near where absent.
+    /// A virtual near for the cuts, more than 0 and at most 1000000000 metres; `None`, the default, is the camera's near.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub near: Option<f32>,
-    /// Texels a side of each view's tile, 16 to 16384.
+    /// The side of each view's tile, from 16 to 16384 texels. The default is 1024.
     pub resolution: u32,
-    /// What a texel is.
+    /// The format of a texel. The default is [`DepthFormat::F32`].
     pub depth: DepthFormat,
-    /// Where the views' tiles lie.
+    /// Where the views' tiles lie. The default is [`Storage::Array`].
     pub storage: Storage,
-    /// What a view's box is fitted to.
+    /// What a view's box is fitted to. The default is [`Fit::Scene`].
     pub fit: Fit,
     /// Whether casters between the light and a view's box are flattened onto its near plane. Where not, the near plane
-    /// is moved toward the light instead, and depth is coarser.
+    /// is moved toward the light instead, and depth is coarser. The default is true.
     pub unclipped_depth: bool,
-    /// How a map's texels are spent on what is near the eye.
+    /// How a map's texels are spent on what is near the eye. The default is [`Warp::None`].
     pub warp: Warp,
-    /// How a receiver finds its view.
+    /// How a receiver finds its view. The default is [`Select::Map`].
     pub select: Select,
-    /// What share of a slice's depth is cross-faded into the next one, 0 to 1; the last one fades to lit. By map, what
-    /// share of the map's half width.
+    /// The share of a slice's depth that is cross-faded into the next one, from 0 to 1; the last one fades to lit. With
+    /// [`Select::Map`] it is a share of the map's half width. The default is 0.
     pub blend: f32,
-    /// How a map is read.
+    /// How a map is read. The default is [`Filter::Optimised`] with a size of 3.
     pub filter: Filter,
     /// What keeps surfaces from shadowing themselves.
     pub bias: Bias,
-    /// Shadows from the camera's depth, for the last centimetres that a map misses; none where absent.
+    /// Shadows from the camera's depth, for the last centimetres that a map misses; `None`, the default, is none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub contact: Option<Contact>,
-    /// What a shadow does to the picture.
+    /// What a shadow does to the picture. The default is [`Shade::Absence`].
     pub shade: Shade,
 }
 

@@ -3,6 +3,10 @@
 
 #[path = "schema/choices.rs"]
 mod choices;
+#[path = "schema/costs.rs"]
+mod costs;
+#[path = "schema/docs.rs"]
+mod docs;
 #[path = "schema/ranges.rs"]
 mod ranges;
 #[path = "schema/samples.rs"]

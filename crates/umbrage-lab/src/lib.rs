@@ -22,6 +22,7 @@ mod experiment;
 mod flicker;
 mod judgement;
 mod laboratory;
+mod lines;
 mod measure;
 mod measurement;
 mod path;

@@ -1,7 +1,11 @@
-//! Settings from a preset and tables over it: the same for the command line and for experiments.
+//! Settings from a preset and tables over it: the same for the command line, the viewer and experiments.
+
+mod layers;
+
+pub use layers::Layers;
 
 use toml::{Table, Value};
-use umbrage::{PRESETS, Preset, Settings, SettingsError};
+use umbrage::{PRESETS, Preset, Settings, SettingsError, schema};
 
 /// No setting lies deeper than `filter.size`; a little more, so that the error can say which key it does not know.
 const DEEPEST: usize = 4;
@@ -27,9 +31,27 @@ pub enum WrongSettings {
         /// What is wrong with the value, and what would be right.
         wrong: String,
     },
+    /// The key has another name now.
+    #[error("`{key}` is now `{now}`")]
+    Renamed {
+        /// The setting's old name, levels parted by dots.
+        key: String,
+        /// Its name now.
+        now: &'static str,
+    },
     /// The value is outside its range.
     #[error(transparent)]
     Range(#[from] SettingsError),
+    /// Any of these, in a file.
+    #[error("line {line}, {wrong}, in {file}")]
+    File {
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong there.
+        wrong: Box<WrongSettings>,
+        /// The file's name.
+        file: String,
+    },
 }
 
 impl WrongSettings {
@@ -37,10 +59,11 @@ impl WrongSettings {
     pub fn key(&self) -> &str {
         match self {
             Self::Preset(_) | Self::Words(_) => "",
-            Self::Key(key) | Self::Value { key, .. } => key,
+            Self::Key(key) | Self::Value { key, .. } | Self::Renamed { key, .. } => key,
             Self::Range(SettingsError::OutOfRange { key, .. }) => key,
             Self::Range(SettingsError::Manual { .. }) => "manual",
             Self::Range(_) => "",
+            Self::File { wrong, .. } => wrong.key(),
         }
     }
 }
@@ -111,6 +134,10 @@ pub fn overlay(table: &mut Table, over: Table) {
 /// # Errors
 /// When a key is unknown, or its value is of another kind or out of range: the first such key.
 pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
+    // serde would call them unknown, and not say where in a filter they are.
+    if let Some((key, now)) = old_name(&table, "") {
+        return Err(WrongSettings::Renamed { key, now });
+    }
     let settings: Settings = table.try_into().map_err(|why: toml::de::Error| {
         let (key, wrong) = fault(why);
         WrongSettings::Value { key, wrong }
@@ -124,16 +151,25 @@ pub fn checked(table: Table) -> Result<Settings, WrongSettings> {
     Ok(settings)
 }
 
+/// The first key of a table that has another name now, and that name.
+fn old_name(table: &Table, prefix: &str) -> Option<(String, &'static str)> {
+    table.iter().find_map(|(name, value)| {
+        let key = if prefix.is_empty() { name.clone() } else { format!("{prefix}.{name}") };
+        match (schema::renamed(&key), value) {
+            (Some(now), _) => Some((key, now)),
+            (None, Value::Table(inner)) => old_name(inner, &key),
+            (None, _) => None,
+        }
+    })
+}
+
 /// Reads and checks the settings of a preset with `key=value` over them, one after the other.
 ///
 /// # Errors
 /// When the preset, a key or a value is wrong: the first of them.
 pub fn asked(name: &str, words: &[impl AsRef<str>]) -> Result<Settings, WrongSettings> {
-    let mut table = preset(name)?;
-    for words in words {
-        overlay(&mut table, from_words(words.as_ref())?);
-    }
-    checked(table)
+    let layers = Layers::preset(name)?;
+    words.iter().try_fold(layers, |layers, words| layers.words(words.as_ref()))?.settings()
 }
 
 /// The key at fault, levels parted by dots, and what is wrong with it.
@@ -187,6 +223,7 @@ mod tests {
             ("filter.kind=blur", "filter.kind", "blur"),
             ("filter.kind=pcf", "filter.size", "missing field"),
             ("filter.taps=3", "filter.taps", "unknown field"),
+            ("bias.layer=first", "bias.layer", "`bias.layer` is now `bias.depth_layer`"),
             ("bias.normale=3", "bias.normale", "unknown field"),
             ("manual=[1.0, inf]", "manual", "finite"),
             ("scheme=manual", "manual", "rising"),

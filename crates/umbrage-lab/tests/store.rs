@@ -286,22 +286,22 @@ fn a_run_that_was_cut_off_goes_on_where_it_stopped() {
     };
     let cut_off =
         |run: &Run| if run.repeat < 4 { measure(run) } else { Err(LabError::Plot("power cut".into())) };
-    let error = umbrage_lab::run(&entries(10), &store, cut_off, |_, _, _| {}).unwrap_err();
+    let error = umbrage_lab::measure_all(&entries(10), &store, cut_off, |_, _, _| {}).unwrap_err();
     assert!(error.to_string().contains("power cut"), "{error}");
     assert_eq!(measured.replace(0), 4);
 
     let mut heard = Vec::new();
     let hear = |done, total, was_stored| heard.push((done, total, was_stored));
-    let rows = umbrage_lab::run(&entries(10), &store, measure, hear).unwrap();
+    let rows = umbrage_lab::measure_all(&entries(10), &store, measure, hear).unwrap();
     assert_eq!(measured.replace(0), 6, "only the rest");
     assert_eq!(heard, (1..=10).map(|done| (done, 10, done <= 4)).collect::<Vec<_>>());
 
-    let again = umbrage_lab::run(&entries(10), &store, measure, |_, _, _| {}).unwrap();
+    let again = umbrage_lab::measure_all(&entries(10), &store, measure, |_, _, _| {}).unwrap();
     assert_eq!(measured.get(), 0, "a second run measures nothing");
     assert_eq!(again, rows);
     let (_other, other) = store_of(&[]);
     assert_eq!(
-        umbrage_lab::run(&entries(10), &other, measure, |_, _, _| {}).unwrap(),
+        umbrage_lab::measure_all(&entries(10), &other, measure, |_, _, _| {}).unwrap(),
         rows,
         "as if never cut off"
     );
@@ -318,7 +318,7 @@ fn a_corrupt_result_is_measured_again_and_nothing_else() {
         measured.set(measured.get() + 1);
         Ok(outcome(run))
     };
-    let rows = umbrage_lab::run(&entries(3), &store, measure, |_, _, _| {}).unwrap();
+    let rows = umbrage_lab::measure_all(&entries(3), &store, measure, |_, _, _| {}).unwrap();
     assert_eq!(measured.get(), 1);
     assert!(rows.iter().all(|row| row.outcome == outcome(&row.run)));
 }

@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn neighbours_that_move_are_one_run_and_what_is_still_is_in_none() {
-        let turn = Motion::Turn { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
+        let turn = Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
         let with = |motion| Instance { motion, ..Instance::still(0, Mat4::IDENTITY) };
         let all = [Motion::Still, turn, turn, Motion::Still, turn].map(with);
         assert_eq!(runs(&all), [1..3, 4..5]);

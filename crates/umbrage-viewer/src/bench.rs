@@ -3,35 +3,37 @@
 
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Instant;
 
 use eframe::egui;
 
-use crate::app::{Start, Viewer};
 use crate::native::{Options, run_wrapped};
+use crate::viewer::{Start, Viewer};
+use crate::world::World;
 
 /// Times of one frame, milliseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// The picture alone, waited for: what `umbrage bench` times.
+    /// The picture alone, until the device has drawn it: what `umbrage bench` times.
     pub alone: f64,
-    /// From one look of the window at its input to the next, with the device idle at both: the picture, the panels, and
-    /// handing it all to the screen.
+    /// One frame of the window, from an idle device to the next time that it is idle: the picture, the panels, and handing
+    /// it all to the screen.
     pub in_window: f64,
 }
 
-/// What came of it.
+/// The result of a bench.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Benched {
-    /// Of each frame after the first ones, in which pipelines are made.
+    /// The times of each frame, without the first ones, in which pipelines are made.
     pub pairs: Vec<Pair>,
     /// Size of the picture, pixels.
     pub size: [u32; 2],
-    /// The adapter in words.
+    /// The adapter's name and backend.
     pub adapter: String,
     /// The world's name.
     pub world: String,
-    /// How many triangles it has.
+    /// How many triangles the world has.
     pub triangles: usize,
 }
 
@@ -85,14 +87,16 @@ impl eframe::App for Flown {
                 ui.ctx().send_viewport_cmd(egui::ViewportCommand::Close);
             }
         } else if !viewer.is_loading() {
-            viewer.fly_to(self.number as f32 / self.frames as f32);
+            fly_to(&mut viewer, self.number as f32 / self.frames as f32);
             if let Some((alone, size)) = viewer.time_alone() {
                 let mut found = self.found.borrow_mut();
                 found.size = size;
                 found.adapter = viewer.gpu().adapter.to_string();
-                (found.world, found.triangles) = viewer.world();
+                if let Some(World { scene, .. }) = viewer.world() {
+                    (found.world, found.triangles) = (scene.name.clone(), scene.triangles());
+                }
                 // The picture of the window is to be drawn anew, as if nothing had been.
-                viewer.fly_to((self.number as f32 + 1e-3) / self.frames as f32);
+                fly_to(&mut viewer, (self.number as f32 + 1e-3) / self.frames as f32);
                 self.timed = Some((alone, Instant::now()));
             }
         }
@@ -100,24 +104,11 @@ impl eframe::App for Flown {
     }
 }
 
-impl Viewer {
-    /// To a place of the world's path, from 0 to 1.
-    fn fly_to(&mut self, along: f32) {
-        let (Some(choices), Some(stage)) = (&mut self.choices, &self.stage) else { return };
-        if let Some(world_from_camera) = stage.scene().path.world_from_camera(along) {
-            choices.flight.follow(world_from_camera);
-        }
-    }
-
-    /// How long the picture takes alone from where the camera is: milliseconds, and its size, pixels.
-    fn time_alone(&mut self) -> Option<(f64, [u32; 2])> {
-        let (choices, stage) = (self.choices.as_ref()?, self.stage.as_mut()?);
-        stage.time_alone(&choices.camera()).ok()?
-    }
-
-    /// The world's name, and how many triangles it has.
-    fn world(&self) -> (String, usize) {
-        let scene = self.stage.as_ref().map(|stage| stage.scene());
-        scene.map_or_else(Default::default, |scene| (scene.name.clone(), scene.triangles()))
+/// Moves the camera to a place of the world's path, from 0 to 1.
+fn fly_to(viewer: &mut Viewer, along: f32) {
+    let scene = viewer.world().map(|world| Arc::clone(&world.scene));
+    let place = scene.and_then(|scene| scene.path.world_from_camera(along));
+    if let (Some(world_from_camera), Some(view)) = (place, viewer.view()) {
+        view.flight.follow(world_from_camera);
     }
 }

@@ -1,11 +1,11 @@
-//! Settings by the names of their keys: what a panel that knows no setting reads and writes, and the TOML that it copies.
+//! Settings by the names of their keys: what a panel that knows no setting reads and writes, and their TOML.
 
 use toml::{Table, Value};
 use umbrage::schema::Key;
-use umbrage::{Filter, MAX_SPLITS, Scheme, Settings, Shade};
-use umbrage_lab::settings::{WrongSettings, checked, from_key, overlay};
+use umbrage::{Filter, MAX_SPLITS, Scheme, Settings, Shade, split_distances};
+use umbrage_lab::settings::{Layers, WrongSettings, checked, from_key, overlay};
 
-/// The settings as a table.
+/// Returns the settings as a table.
 ///
 /// # Errors
 /// Never for settings that are valid.
@@ -14,17 +14,17 @@ pub fn table(settings: &Settings) -> Result<Table, WrongSettings> {
         .map_err(|why| WrongSettings::Value { key: String::new(), wrong: why.to_string() })
 }
 
-/// What a table holds under a name of the schema.
+/// Returns what a table of settings holds under a name of the schema.
 pub fn value<'t>(table: &'t Table, name: &str) -> Option<&'t Value> {
     let mut names = name.split('.');
     let first = table.get(names.next()?)?;
     names.try_fold(first, |value, name| value.get(name))
 }
 
-/// The settings with another value under a key; `None` leaves it out.
+/// Returns the settings with another value under a key; `None` leaves the key out.
 ///
 /// # Errors
-/// When they cannot be so: the value is out of its range, or excludes another.
+/// When the value is out of its range, or excludes another.
 pub fn with(settings: &Settings, key: &Key, value: Option<Value>) -> Result<Settings, WrongSettings> {
     if let Some(Value::String(kind)) = &value {
         // Another kind has other numbers: its own.
@@ -45,26 +45,25 @@ pub fn with(settings: &Settings, key: &Key, value: Option<Value>) -> Result<Sett
     }
     match checked(table.clone()) {
         Err(WrongSettings::Range(umbrage::SettingsError::Manual { wanted, .. })) => {
-            // Another number of splits, or the first look at manual cuts: from those that there were.
-            let even = Settings { scheme: Scheme::Practical, ..settings.clone() };
-            overlay(&mut table, from_key("manual", cuts(&even, wanted))?);
+            // Another number of splits, or the first look at manual distances: from those that there were.
+            overlay(&mut table, from_key("manual", practical_distances(settings, wanted))?);
             checked(table)
         }
         other => other,
     }
 }
 
-/// So many inner distances, as the practical scheme would have them from 1 m to the settings' distance.
-fn cuts(settings: &Settings, count: u32) -> Value {
-    let (near, far) = (settings.near.unwrap_or(1.0), settings.distance.unwrap_or(500.0));
-    let count = count.min(MAX_SPLITS as u32 - 1);
-    let cut = |i: u32| {
-        let share = f64::from(i) / f64::from(count + 1);
-        let (near, far, lambda) = (f64::from(near), f64::from(far), f64::from(settings.lambda));
-        let cut = lambda * near * (far / near).powf(share) + (1.0 - lambda) * (near + (far - near) * share);
-        Value::Float((cut * 10.0).round() / 10.0)
-    };
-    Value::Array((1..=count).map(cut).collect())
+/// So many inner split distances by the practical scheme, in tenths of a metre, where the camera's range is not known: from
+/// the settings' near, or 1 m, to their distance, or 500 m.
+fn practical_distances(settings: &Settings, count: u32) -> Value {
+    let far = settings.distance.unwrap_or(500.0);
+    let near = settings.near.unwrap_or(1.0).min(0.5 * far);
+    let splits = count.min(MAX_SPLITS as u32 - 1) + 1;
+    let practical =
+        Settings { scheme: Scheme::Practical, splits, split_bias: 0.0, near: None, ..settings.clone() };
+    let distances = split_distances(near..far, &practical);
+    let inner = &distances[1..splits as usize];
+    Value::Array(inner.iter().map(|distance| Value::Float((distance * 10.0).round() / 10.0)).collect())
 }
 
 fn remove(table: &mut Table, name: &str) {
@@ -78,7 +77,7 @@ fn remove(table: &mut Table, name: &str) {
     }
 }
 
-/// A table of settings as the text of a file that `--shadows` takes, with numbers as short as they were meant.
+/// Returns the settings as the text of a file that `--shadows` takes, with numbers as short as they were meant.
 ///
 /// # Errors
 /// Never for settings that are valid.
@@ -89,24 +88,15 @@ pub fn file(settings: &Settings) -> Result<String, WrongSettings> {
     toml::to_string(&file).map_err(|why| WrongSettings::Value { key: String::new(), wrong: why.to_string() })
 }
 
-/// The settings in such a file.
+/// Returns the settings in the text of such a file. `name` is the file's, for errors.
 ///
 /// # Errors
 /// When it is no TOML, has no table `shadows`, or a setting that is not known here, as one of a newer version.
-pub fn from_file(text: &str) -> Result<Settings, WrongSettings> {
-    let wrong = |wrong: String| WrongSettings::Value { key: "shadows".to_owned(), wrong };
-    let mut file: Table = text.parse().map_err(|why: toml::de::Error| wrong(why.message().to_owned()))?;
-    match file.remove("shadows") {
-        Some(Value::Table(shadows)) => {
-            let mut table = table(&Settings::default())?;
-            overlay(&mut table, shadows);
-            checked(table)
-        }
-        _ => Err(wrong("the file has no table [shadows]".to_owned())),
-    }
+pub fn from_file(name: &str, text: &str) -> Result<Settings, WrongSettings> {
+    Layers::preset("default")?.file(name, text)?.settings()
 }
 
-/// 0.8 and not 0.800000011920929: every number of the settings but the exponents was an f32.
+/// Makes 0.8 of 0.800000011920929: the numbers of settings are 32-bit floats.
 fn shorten(value: &mut Value) {
     match value {
         Value::Float(float) => {
@@ -165,12 +155,16 @@ mod tests {
     }
 
     #[test]
-    fn manual_cuts_have_as_many_distances_as_they_need() {
+    fn manual_splits_have_as_many_distances_as_they_need() {
         let settings = Settings::default();
         let manual = with(&settings, key("scheme"), Some("manual".into())).unwrap();
         assert_eq!(manual.manual.len(), 3);
         let more = with(&manual, key("splits"), Some(Value::Integer(6))).unwrap();
         assert_eq!(more.manual.len(), 5);
+        // V1's distances from 1 m to 800 m with λ = 0.5.
+        let settings = Settings { lambda: 0.5, distance: Some(800.0), ..settings };
+        let manual = with(&settings, key("scheme"), Some("manual".into())).unwrap();
+        assert_eq!(manual.manual, [103.0, 214.4, 375.3]);
     }
 
     #[test]
@@ -186,16 +180,18 @@ mod tests {
         for preset in PRESETS {
             let settings = (preset.settings)();
             let text = file(&settings).unwrap();
-            assert_eq!(from_file(&text).as_ref(), Ok(&settings), "{}: {text}", preset.name);
+            assert_eq!(from_file("a.toml", &text).as_ref(), Ok(&settings), "{}: {text}", preset.name);
         }
         assert!(file(&Settings::default()).unwrap().contains("lambda = 0.8\n"));
     }
 
     #[test]
     fn a_file_of_a_newer_version_is_refused_by_the_key_that_is_new() {
-        let error = from_file("[shadows]\nsplits = 3\nvirtual_pages = 16\n").expect_err("unknown");
-        assert!(error.to_string().contains("virtual_pages"), "{error}");
-        assert!(from_file("splits = 3").expect_err("no table").to_string().contains("[shadows]"));
-        assert!(from_file("[shadows").is_err());
+        let error = from_file("a.toml", "[shadows]\nsplits = 3\nvirtual_pages = 16\n").expect_err("unknown");
+        let text = error.to_string();
+        assert!(
+            text.starts_with("line 3") && text.contains("virtual_pages") && text.ends_with("a.toml"),
+            "{text}"
+        );
     }
 }

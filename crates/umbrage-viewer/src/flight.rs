@@ -1,4 +1,4 @@
-//! Where the eye is and how people move it: flying, or in orbit around what it looks at.
+//! Where the camera is and how the pointer and keys move it: flying, or in orbit around its target.
 //!
 //! World space, metres, radians. `yaw` 0 looks along −Z and grows to the left; `pitch` grows upward. The horizon stays
 //! level.
@@ -6,41 +6,52 @@
 use glam::{Mat4, Quat, Vec2, Vec3};
 use umbrage_scene::Camera;
 
-/// How far from straight up or down a view stays, radians.
+/// The largest pitch of a view, radians: a little less than straight up or down, where yaw would lose its meaning.
 const STEEPEST: f32 = std::f32::consts::FRAC_PI_2 - 0.01;
 
-/// Radians for each height of the picture that the pointer is dragged.
-const TURN: f32 = 2.0;
+/// How far a drag over the height of the picture rotates the view, radians.
+const ROTATION_PER_HEIGHT: f32 = 2.0;
 
-/// How the eye answers the pointer.
+/// How the camera answers the pointer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Motion {
-    /// Dragging turns the view; keys and the wheel move the eye.
+    /// Dragging rotates the view; keys and the wheel move the eye.
     #[default]
     Fly,
-    /// Dragging moves the eye around what it looks at; the wheel goes nearer.
+    /// Dragging moves the eye around the target; the wheel zooms.
     Orbit,
 }
 
-/// A camera that people move.
+/// A camera that the pointer and keys move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flight {
-    /// How it answers.
+    /// How it answers the pointer.
     pub motion: Motion,
-    /// Where it is.
+    /// Its position, world space.
     pub eye: Vec3,
     yaw: f32,
     pitch: f32,
-    /// How far away what it looks at is, metres.
+    /// The distance from the eye to the target, metres.
     pub distance: f32,
-    /// How fast keys move it, metres a second.
+    /// The speed at which keys move it, metres a second.
     pub speed: f32,
-    /// Its lens and depth range, and the name it has.
+    /// The scene's camera that gives it lens, depth range and name.
     lens: Camera,
 }
 
+impl Motion {
+    /// The motion that is not this one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Fly => Self::Orbit,
+            Self::Orbit => Self::Fly,
+        }
+    }
+}
+
 impl Flight {
-    /// From a camera of a scene, `reach` metres from what it looks at.
+    /// Starts at a camera of a scene, with a target that lies `reach` metres ahead.
     pub fn at(camera: &Camera, reach: f32) -> Self {
         let forward = camera.forward();
         let nearest = 2.0 * camera.near;
@@ -56,18 +67,18 @@ impl Flight {
         }
     }
 
-    /// At another place that a camera of the scene has; it answers the pointer as before.
+    /// Returns the flight `elsewhere`, which answers the pointer as this one does.
     #[must_use]
     pub fn moved_to(&self, elsewhere: Self) -> Self {
         Self { motion: self.motion, ..elsewhere }
     }
 
-    /// The way it looks, unit.
+    /// The direction of view, a unit vector in world space.
     pub fn forward(&self) -> Vec3 {
         self.rotation() * Vec3::NEG_Z
     }
 
-    /// What it looks at.
+    /// The point that it looks at and orbits, world space.
     pub fn target(&self) -> Vec3 {
         self.eye + self.forward() * self.distance
     }
@@ -76,37 +87,36 @@ impl Flight {
         Quat::from_rotation_y(self.yaw) * Quat::from_rotation_x(self.pitch)
     }
 
-    /// As a scene's camera.
+    /// Returns it as a camera of a scene.
     pub fn camera(&self) -> Camera {
         let world_from_camera = Mat4::from_rotation_translation(self.rotation(), self.eye);
         Camera { world_from_camera, ..self.lens.clone() }
     }
 
-    /// The pointer was dragged, in heights of the picture.
+    /// Rotates the view, or orbits, after a drag of `by` heights of the picture.
     pub fn drag(&mut self, by: Vec2) {
         match self.motion {
-            Motion::Fly => self.turn(-by * TURN),
+            Motion::Fly => self.rotate(-by * ROTATION_PER_HEIGHT),
             Motion::Orbit => {
                 let target = self.target();
-                self.turn(-by * TURN);
+                self.rotate(-by * ROTATION_PER_HEIGHT);
                 self.eye = target - self.forward() * self.distance;
             }
         }
     }
 
-    fn turn(&mut self, by: Vec2) {
+    fn rotate(&mut self, by: Vec2) {
         self.yaw = (self.yaw + by.x) % std::f32::consts::TAU;
         self.pitch = (self.pitch + by.y).clamp(-STEEPEST, STEEPEST);
     }
 
-    /// The picture was dragged aside with two fingers or the other button, in heights of the picture: what is looked at
-    /// follows.
+    /// Moves the eye sideways so that the target follows a drag of `by` heights of the picture.
     pub fn pan(&mut self, by: Vec2) {
         let rotation = self.rotation();
         self.eye += (rotation * Vec3::new(-by.x, by.y, 0.0)) * self.distance;
     }
 
-    /// The wheel turned by `notches`, or two fingers came apart: ahead, or nearer to what is looked at.
+    /// Moves ahead, or in orbit nearer to the target, by `notches` of the wheel.
     pub fn zoom(&mut self, notches: f32) {
         match self.motion {
             Motion::Fly => self.eye += self.forward() * self.speed * 0.25 * notches,
@@ -119,14 +129,14 @@ impl Flight {
         }
     }
 
-    /// Keys were held for `seconds`: to the right, upward, and ahead, each from −1 to 1.
+    /// Moves for `seconds` in the direction of the keys: right, up and ahead, each from −1 to 1.
     pub fn fly(&mut self, keys: Vec3, seconds: f32) {
         let rotation = self.rotation();
-        let way = rotation * Vec3::new(keys.x, 0.0, -keys.z) + Vec3::Y * keys.y;
-        self.eye += way * self.speed * seconds;
+        let direction = rotation * Vec3::new(keys.x, 0.0, -keys.z) + Vec3::Y * keys.y;
+        self.eye += direction * self.speed * seconds;
     }
 
-    /// Takes the place of a point of a path: where it is and how it looks.
+    /// Takes position and rotation of a point of a camera path.
     pub fn follow(&mut self, world_from_camera: Mat4) {
         let camera = Camera { world_from_camera, ..self.lens.clone() };
         *self = Self { motion: self.motion, speed: self.speed, ..Self::at(&camera, self.distance) };
@@ -172,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn flying_ahead_goes_where_it_looks_and_dragging_turns_on_the_spot() {
+    fn flying_ahead_goes_where_it_looks_and_dragging_rotates_on_the_spot() {
         let mut flight = flight();
         let (eye, forward) = (flight.eye, flight.forward());
         flight.fly(Vec3::Z, 0.5);

@@ -1,76 +1,52 @@
-//! What the pointer, fingers and keys do to the camera, and which keys do what else.
+//! What the pointer, fingers and keys do to the camera, and which action each other key asks for.
 
 use eframe::egui::{self, Key, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
-use crate::flight::{Flight, Motion};
+use crate::action::{Action, Toggle};
+use crate::flight::Flight;
 
-/// Keys, and what they do: for the window of help.
+/// Every key and gesture with what it does, for the window that lists them.
 pub const KEYS: &[(&str, &str)] = &[
-    ("drag", "look around; in orbit, go around what you look at"),
-    ("right drag, two fingers", "move aside"),
-    ("wheel, pinch", "go ahead, or nearer"),
-    ("W A S D, arrows", "fly ahead, left, back, right"),
+    ("drag", "look around; in orbit, move around the target"),
+    ("right drag, two fingers", "pan"),
+    ("wheel, pinch", "dolly; in orbit, zoom"),
+    ("W A S D, arrows", "fly forward, left, back, right"),
     ("E, Q", "up, down"),
     ("Shift", "four times as fast"),
     ("1 … 9", "the world's cameras"),
     ("O", "fly or orbit"),
-    ("Space", "let things move, or stop them"),
+    ("Space", "start or stop the animation"),
     ("P", "fly along the world's path, or stop"),
     ("F", "freeze the camera that shadows are planned for"),
-    ("T", "show how wrong the shadows are"),
+    ("T", "compare with ray-traced ground truth"),
     ("C", "compare two settings"),
     ("M", "show the shadow maps"),
     ("H", "hide the panels"),
     ("F1 or ?", "this list"),
 ];
 
-/// What a key asked for, beside moving.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
-    /// One of the world's cameras, from 0.
-    Camera(usize),
-    /// To fly, or to orbit.
-    Motion,
-    /// Things that move.
-    Play,
-    /// The world's path.
-    Path,
-    /// The frozen camera.
-    Freeze,
-    /// How wrong it is.
-    Truth,
-    /// The other side.
-    Compare,
-    /// The shadow maps.
-    Maps,
-    /// The panels.
-    Panels,
-    /// The window of help.
-    Help,
-}
-
 const DIGITS: [Key; 9] =
     [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
-/// The wishes of the keys that were pressed; none while people type.
-pub fn wishes(context: &egui::Context) -> Vec<Wish> {
+/// The actions of the keys that were pressed since the last frame; none while a text field has the focus.
+pub fn pressed(context: &egui::Context) -> Vec<Action> {
     if context.egui_wants_keyboard_input() {
         return Vec::new();
     }
     let of_key = [
-        (Key::O, Wish::Motion),
-        (Key::Space, Wish::Play),
-        (Key::P, Wish::Path),
-        (Key::F, Wish::Freeze),
-        (Key::T, Wish::Truth),
-        (Key::C, Wish::Compare),
-        (Key::M, Wish::Maps),
-        (Key::H, Wish::Panels),
-        (Key::F1, Wish::Help),
-        (Key::Questionmark, Wish::Help),
+        (Key::O, Action::Toggle(Toggle::Orbit)),
+        (Key::Space, Action::Toggle(Toggle::Animation)),
+        (Key::P, Action::Toggle(Toggle::Path)),
+        (Key::F, Action::Toggle(Toggle::FrozenCamera)),
+        (Key::T, Action::Toggle(Toggle::Truth)),
+        (Key::C, Action::ToggleCompare),
+        (Key::M, Action::Toggle(Toggle::Maps)),
+        (Key::H, Action::Toggle(Toggle::Panels)),
+        (Key::F1, Action::Toggle(Toggle::Help)),
+        (Key::Questionmark, Action::Toggle(Toggle::Help)),
     ];
-    let digits = DIGITS.into_iter().enumerate().map(|(i, key)| (key, Wish::Camera(i)));
+    let digits = DIGITS.into_iter().enumerate().map(|(i, key)| (key, Action::GoToCamera(i)));
     context.input(|input| {
         // Keys that are held say so again and again: once is meant.
         let once = |key| {
@@ -79,13 +55,13 @@ pub fn wishes(context: &egui::Context) -> Vec<Wish> {
             };
             input.events.iter().any(is_once)
         };
-        let pressed = |(key, wish)| (once(key) && !input.modifiers.command).then_some(wish);
+        let pressed = |(key, action)| (once(key) && !input.modifiers.command).then_some(action);
         of_key.into_iter().chain(digits).filter_map(pressed).collect()
     })
 }
 
-/// Moves the camera by what the pointer and the fingers did on the picture. Whether it moved.
-pub fn pointed(ui: &egui::Ui, picture: &Response, flight: &mut Flight) -> bool {
+/// Moves the camera by what the pointer and the fingers did on the picture. Returns whether it moved.
+pub fn point(ui: &egui::Ui, picture: &Response, flight: &mut Flight) -> bool {
     let before = flight.clone();
     let height = picture.rect.height().max(1.0);
     let moved = Vec2::new(picture.drag_delta().x, picture.drag_delta().y) / height;
@@ -105,8 +81,8 @@ pub fn pointed(ui: &egui::Ui, picture: &Response, flight: &mut Flight) -> bool {
     *flight != before
 }
 
-/// Moves the camera by the keys that are held. Whether it moves.
-pub fn flown(context: &egui::Context, flight: &mut Flight) -> bool {
+/// Moves the camera by the keys that are held. Returns whether it moves.
+pub fn fly(context: &egui::Context, flight: &mut Flight) -> bool {
     if context.egui_wants_keyboard_input() {
         return false;
     }
@@ -126,12 +102,4 @@ pub fn flown(context: &egui::Context, flight: &mut Flight) -> bool {
         flight.fly(keys, seconds);
     }
     keys != Vec3::ZERO
-}
-
-/// The other way to move.
-pub fn other(motion: Motion) -> Motion {
-    match motion {
-        Motion::Fly => Motion::Orbit,
-        Motion::Orbit => Motion::Fly,
-    }
 }

@@ -1,46 +1,47 @@
 //! The window and the web page: any world with its shadows, every setting while it runs, how shadows are made, and how
 //! wrong each pixel is.
 //!
-//! [`Viewer`] is the program, for eframe: the same in a window (`native::run`) and in a browser (`web`). What
-//! is shown is drawn by `umbrage-render`, and judged by `umbrage-judge`, in between the window's own frames.
+//! [`Viewer`] is the program, for eframe: the same in a window (`native::run`) and in a browser (`web`). What it shows is
+//! a session: a world, the state of the view, its pictures, and their comparison with ray-traced ground truth. Pictures are drawn by `umbrage-render` and judged by `umbrage-judge` between the window's own frames.
 //!
-//! This crate does not: know how shadows are made, judged or read from files, nor settings by their names, but
-//! λ, its scheme, cuts by hand, and what has a kind. Things that move are judged while they stand.
+//! This crate does not: know how shadows are made, judged or read from files, nor settings by their names, except λ, the
+//! split scheme and distances, and the kinds of filters and shades. Moving objects are judged while they stand.
 
-pub mod choices;
-pub mod edit;
 pub mod flight;
 pub mod lines;
 pub mod load;
-pub mod overlay;
+pub mod panels;
 pub mod probe;
 pub mod rust_text;
-pub mod settings_panel;
-pub mod sky;
-pub mod take;
+pub mod truth;
+pub mod view_state;
+pub mod world;
 
-mod app;
-mod arrivals;
-mod blit;
+mod action;
+mod bvh_build;
 mod colours;
+mod device_errors;
+mod drawing;
+mod edit;
+mod event;
+mod export;
+mod files;
 mod input;
-mod layout;
-mod method_panel;
-mod picture;
-mod split_plot;
-mod stage;
+mod messages;
+mod session;
+mod sky;
 mod task;
+mod tasks;
 mod timings;
-mod top_bar;
-mod trouble;
-mod truth_panel;
-mod world_panel;
+mod viewer;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench;
+#[cfg(target_arch = "wasm32")]
+pub mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-pub use app::{Start, Viewer};
+pub use viewer::{Start, Viewer};

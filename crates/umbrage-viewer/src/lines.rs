@@ -1,38 +1,38 @@
-//! What of a plan can be drawn as lines: the slices of the camera's view, the boxes of the maps, the volumes of casters.
+//! A shadow plan as lines: slices of the camera's frustum, volumes of the maps, volumes of the casters.
 //!
 //! World space, metres. A line is cut at the eye's near plane before it is projected.
 
 use glam::{DMat4, DVec3, Vec2, Vec4};
 use umbrage::{Camera, ConvexBody, ConvexVolume, ShadowPlan};
 
-/// Two ends in world space.
+/// A line segment by its ends, world space, metres.
 pub type Line = [DVec3; 2];
 
-/// What to draw of a plan.
+/// Which parts of a shadow plan are drawn as lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Chosen {
-    /// The slices of the camera's view.
+pub struct PlanLines {
+    /// The slices of the camera's frustum that the splits serve.
     pub slices: bool,
-    /// The body that each map covers.
+    /// The volume that each map covers.
     pub maps: bool,
-    /// The volume of what can cast into it, as far as the world goes.
+    /// The volume that holds every caster of a map, clipped to the world.
     pub casters: bool,
 }
 
-impl Chosen {
-    /// Whether there is anything to draw.
+impl PlanLines {
+    /// Whether any part is drawn.
     pub fn any(self) -> bool {
         self != Self::default()
     }
 }
 
-/// Lines of a plan, each with the number of the split whose colour it has. `reach` is how far from the origin volumes are
-/// drawn: that of the world, metres.
-pub fn of_plan(plan: &ShadowPlan, chosen: Chosen, reach: f64) -> Vec<(usize, Line)> {
+/// Returns lines of the first light's views, each with the number of its split, which gives its colour. Volumes are clipped
+/// to `reach` metres from the origin along each axis.
+pub fn of_plan(plan: &ShadowPlan, chosen: PlanLines, reach: f64) -> Vec<(usize, Line)> {
     let mut lines = Vec::new();
     let mut sliced = None;
     for view in plan.views().iter().filter(|view| view.light == 0) {
-        // The faces of a lamp serve the same depths.
+        // The faces of a point light serve the same depths.
         if chosen.slices && sliced.as_ref() != Some(&view.depths) {
             let corners =
                 plan.camera().slice_corners(f64::from(view.depths.start)..f64::from(view.depths.end));
@@ -49,7 +49,7 @@ pub fn of_plan(plan: &ShadowPlan, chosen: Chosen, reach: f64) -> Vec<(usize, Lin
     lines
 }
 
-/// The twelve edges of what a map covers. A map of a sun is a box, of a lamp a pyramid without its tip.
+/// The twelve edges of what a map covers: a box for a sun, a truncated pyramid for a punctual light.
 fn map_edges(clip_from_world: &DMat4) -> impl Iterator<Item = Line> + use<> {
     let world_from_clip = clip_from_world.inverse();
     let corner = move |i: usize| {
@@ -77,7 +77,8 @@ fn edges(body: &ConvexBody) -> impl Iterator<Item = Line> {
     body.edges().filter(move |(a, b)| first(a, b)).map(|(a, b)| [a, b]).collect::<Vec<_>>().into_iter()
 }
 
-/// Where a line is seen, in shares of the picture from its upper left corner; `None` behind the eye.
+/// Projects a line onto the picture, in shares of its size from the upper left corner; `None` where all of it lies behind
+/// the eye.
 pub fn project(camera: &Camera, [a, b]: Line) -> Option<[Vec2; 2]> {
     let clip = |p: DVec3| camera.clip_from_world() * p.as_vec3().extend(1.0);
     let (mut a, mut b) = (clip(a), clip(b));
@@ -120,19 +121,19 @@ mod tests {
     fn a_slice_and_a_map_have_twelve_edges() {
         let plan = plan();
         let count = |chosen| of_plan(&plan, chosen, 100.0).len();
-        assert_eq!(count(Chosen { slices: true, ..Chosen::default() }), 4 * 12);
-        assert_eq!(count(Chosen { maps: true, ..Chosen::default() }), 4 * 12);
-        assert!(count(Chosen { casters: true, ..Chosen::default() }) >= 12);
-        assert_eq!(count(Chosen::default()), 0);
+        assert_eq!(count(PlanLines { slices: true, ..PlanLines::default() }), 4 * 12);
+        assert_eq!(count(PlanLines { maps: true, ..PlanLines::default() }), 4 * 12);
+        assert!(count(PlanLines { casters: true, ..PlanLines::default() }) >= 12);
+        assert_eq!(count(PlanLines::default()), 0);
     }
 
     #[test]
-    fn a_lamps_slices_are_the_depths_that_its_maps_serve() {
+    fn slices_of_punctual_lights_are_the_depths_that_their_maps_serve() {
         let bounds = Bounds::of_world(Vec3::new(-30.0, 0.0, -30.0), Vec3::new(30.0, 4.0, 30.0));
-        let slices = |lamp: Light| {
+        let slices = |light: Light| {
             let settings = Settings { spot_splits: 2, ..Settings::default() };
-            let plan = umbrage::plan(&camera(), &[lamp], &bounds, &settings).unwrap();
-            of_plan(&plan, Chosen { slices: true, ..Chosen::default() }, 100.0).len()
+            let plan = umbrage::plan(&camera(), &[light], &bounds, &settings).unwrap();
+            of_plan(&plan, PlanLines { slices: true, ..PlanLines::default() }, 100.0).len()
         };
         assert_eq!(slices(Light::spot(Vec3::Y * 9.0, Vec3::NEG_Y, 0.6, 50.0).unwrap()), 2 * 12);
         assert_eq!(slices(Light::point(Vec3::Y * 9.0, 50.0).unwrap()), 12, "six faces, one slice");
@@ -141,7 +142,7 @@ mod tests {
     #[test]
     fn a_volumes_lines_lie_in_the_volume() {
         let plan = plan();
-        for (split, line) in of_plan(&plan, Chosen { casters: true, ..Chosen::default() }, 100.0) {
+        for (split, line) in of_plan(&plan, PlanLines { casters: true, ..PlanLines::default() }, 100.0) {
             let view = plan.views().iter().find(|view| view.split == split).unwrap();
             let middle = ((line[0] + line[1]) * 0.5).as_vec3();
             for plane in view.casters.planes() {

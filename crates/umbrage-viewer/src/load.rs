@@ -1,31 +1,31 @@
-//! Where worlds come from: a name, a path, or the bytes of a file that was dropped or picked.
+//! Where worlds come from: a name, a path, or the bytes of a file that was dropped or chosen.
 
 use std::path::{Path, PathBuf};
 
 use umbrage_scene::Imported;
 
-/// More than this is not taken from a browser: the page has 4 GiB in all, and a scene needs several times its file.
-const MOST_BYTES: u64 = 512 << 20;
+/// The largest file that is read as a whole, bytes: a page has 4 GiB in all, and a scene needs several times its file.
+const MAX_BYTES: u64 = 512 << 20;
 
 /// The extensions of files that hold a world.
 pub const WORLDS: [&str; 3] = ["glb", "gltf", "obj"];
 
-/// A world that can be loaded.
+/// A place that a world can be loaded from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
-    /// A built-in world, or a path.
+    /// The name of a built-in world, or a path.
     Named(String),
     /// A file's name and its bytes.
     Bytes {
-        /// With its extension.
+        /// The file's name, with its extension.
         name: String,
-        /// All of it.
+        /// The whole file.
         bytes: Vec<u8>,
     },
 }
 
 impl Source {
-    /// For people.
+    /// The name or the path of it, for people.
     pub fn name(&self) -> &str {
         match self {
             Self::Named(name) => name,
@@ -33,10 +33,10 @@ impl Source {
         }
     }
 
-    /// Reads it, or grows it.
+    /// Reads or generates the world.
     ///
     /// # Errors
-    /// In one line: when there is no such world, or the file is none.
+    /// In one line: when there is no such world, or the file holds none.
     pub fn load(&self) -> Result<Imported, String> {
         match self {
             Self::Named(name) => umbrage_lab::files::load_world(name, 0).map_err(|why| why.to_string()),
@@ -60,28 +60,28 @@ fn of_bytes(name: &str, bytes: &[u8]) -> Result<Imported, String> {
     })
 }
 
-/// Asks before a file is read as a whole.
+/// Checks the size of a file before it is read as a whole.
 ///
 /// # Errors
-/// When it is larger than is read.
+/// When it is larger than 512 MiB.
 pub fn check_size(name: &str, bytes: u64) -> Result<(), String> {
-    if bytes <= MOST_BYTES {
+    if bytes <= MAX_BYTES {
         return Ok(());
     }
-    Err(format!("a file may have {} MiB at most, and it has {}: {name}", MOST_BYTES >> 20, bytes >> 20))
+    Err(format!("a file may have {} MiB at most, and it has {}: {name}", MAX_BYTES >> 20, bytes >> 20))
 }
 
-/// Whether a file's name is that of a world.
+/// Whether a file's extension is that of a world.
 pub fn is_world(path: &Path) -> bool {
     WORLDS.contains(&extension(path).as_str())
 }
 
-/// A path's extension in lower case; empty where it has none.
+/// Returns a path's extension in lower case; empty where it has none.
 pub fn extension(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-/// A path as the name of a world.
+/// Returns the world at a path.
 pub fn of_path(path: PathBuf) -> Source {
     Source::Named(path.to_string_lossy().into_owned())
 }
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn a_file_that_is_too_large_is_refused_with_its_size() {
-        assert_eq!(check_size("a.glb", MOST_BYTES), Ok(()));
+        assert_eq!(check_size("a.glb", MAX_BYTES), Ok(()));
         let text = check_size("a.glb", 700 << 20).expect_err("too large");
         assert!(text.contains("512 MiB") && text.contains("700") && text.ends_with("a.glb"), "{text}");
     }

@@ -1,4 +1,4 @@
-//! The window.
+//! The viewer in a window of the desktop.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -7,32 +7,32 @@ use std::sync::Arc;
 use eframe::{egui, egui_wgpu, wgpu};
 use umbrage_render::{Gpu, RenderError};
 
-use crate::app::{Start, Viewer};
+use crate::viewer::{Start, Viewer};
 
 /// How the window is made.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Part of the name of the adapter to draw on.
+    /// Part of the name of the adapter to draw on; the first usable one where absent.
     pub adapter: Option<String>,
     /// Size of the window, points; 1280 × 800 where absent.
     pub size: Option<[f32; 2]>,
-    /// Whether frames come as fast as they can, and do not wait for the screen.
+    /// Whether frames are shown at once, without waiting for the screen (no vertical synchronisation).
     pub unlimited: bool,
 }
 
-/// What a program does with a viewer beside showing it: itself, in tests a script around it.
+/// Makes the program that eframe runs of a viewer: the viewer itself, or in tests a script around it.
 pub type Wrap<'a> = dyn Fn(Rc<RefCell<Viewer>>) -> Box<dyn eframe::App> + 'a;
 
 /// Opens a window, and returns when it is closed. Where the device is lost another window takes its place, with all that
 /// was chosen.
 ///
 /// # Errors
-/// In one line: when there is no display, or no device that can draw.
+/// In one line: when there is no display, or no adapter that can draw.
 pub fn run(start: Start, options: &Options) -> Result<(), String> {
     run_wrapped(start, options, &|viewer| Box::new(Held(viewer)))
 }
 
-/// As [`run`], with something around the viewer.
+/// Does the same as [`run`] with a program around the viewer.
 ///
 /// # Errors
 /// As [`run`].
@@ -52,7 +52,7 @@ pub fn run_wrapped(start: Start, options: &Options, wrap: &Wrap<'_>) -> Result<(
         let viewer = viewer.borrow();
         let Some(why) = viewer.lost() else { return Ok(()) };
         let message = format!("the graphics device was lost ({why}); this is another one");
-        start = Start { message: Some(message), ..viewer.go_on() };
+        start = Start { message: Some(message), ..viewer.restart() };
     }
 }
 
@@ -93,7 +93,8 @@ fn native_options(options: &Options) -> eframe::NativeOptions {
     }
 }
 
-/// The device that shadows want, on the adapter that was asked for. OpenGL cannot show pictures here.
+/// Returns the set-up of the device that shadows want, on the adapter whose name has `wanted` in it. OpenGL is left out: it
+/// cannot show pictures here.
 pub fn setup(wanted: Option<String>) -> egui_wgpu::WgpuSetup {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
@@ -116,7 +117,7 @@ fn choose(
     Gpu::choose(&usable, wanted).cloned().map_err(|why| why.to_string())
 }
 
-/// What to do without a display.
+/// The error where there is no display, which says what to do.
 pub const NO_DISPLAY: &str =
     "there is no display to open a window on; use `umbrage render` or `umbrage demo`, which need none";
 

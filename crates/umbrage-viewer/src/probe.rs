@@ -1,5 +1,5 @@
-//! Where every widget is, by the name that it has for those who cannot see it: for scripts that drive the program with a
-//! pointer. From AccessKit's tree, so what has no name cannot be found.
+//! The rectangle of every widget by its accessible name, for scripts that drive the program with a pointer. It comes from
+//! AccessKit's tree, so a widget without a name cannot be found.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -14,33 +14,33 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// Looks at every frame of a context from now on.
+    /// Observes every frame of a context from now on.
     pub fn of(context: &egui::Context) -> Self {
         let probe = Self::default();
         context.enable_accesskit();
-        context.add_plugin(Eye(probe.clone()));
+        context.add_plugin(Observer(probe.clone()));
         probe
     }
 
-    /// Where the widget of a name is, points; the first of several.
+    /// The rectangle of the widget of a name, points; of several the first.
     pub fn widget(&self, name: &str) -> Option<Rect> {
         self.lock().get(name).copied()
     }
 
-    /// All of them.
+    /// The rectangles of all widgets by their names.
     pub fn widgets(&self) -> BTreeMap<String, Rect> {
         self.lock().clone()
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, BTreeMap<String, Rect>> {
-        // Whoever died while it wrote left names that are right.
+        // A thread that died while it wrote left a whole map.
         self.widgets.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-struct Eye(Probe);
+struct Observer(Probe);
 
-impl egui::Plugin for Eye {
+impl egui::Plugin for Observer {
     fn debug_name(&self) -> &'static str {
         "umbrage::probe"
     }
@@ -63,7 +63,7 @@ impl egui::Plugin for Eye {
     }
 }
 
-/// A node's own words, or those of what labels it.
+/// A node's own label, or that of the node that labels it.
 fn name(node: &Node, nodes: &BTreeMap<NodeId, &Node>) -> Option<String> {
     let own = |node: &Node| node.label().or(node.value()).map(str::to_owned);
     let by = || node.labelled_by().first().and_then(|id| nodes.get(id)).and_then(|node| own(node));

@@ -1,116 +1,91 @@
 //! Settings as the Rust that makes them: what to paste into a renderer.
 //!
-//! `Debug` prints nearly that. What it leaves out is the names of enums, and what needs no saying: the defaults.
+//! serde says what they hold and how its types are called, so a new setting or filter needs nothing here. What is as in the
+//! default is left out.
 
-use umbrage::{Bias, Settings};
+mod serializer;
 
-/// The expression, with only what differs from the default.
-pub fn rust(settings: &Settings) -> String {
-    let default = Settings::default();
+use umbrage::Settings;
+
+use serializer::to_rust;
+
+/// A value as Rust writes it.
+#[derive(Clone, Debug, PartialEq)]
+enum Rust {
+    /// A number, a path, or another word.
+    Word(String),
+    /// A text without its quotes.
+    Text(String),
+    /// What is inside `Some`.
+    Given(Box<Rust>),
+    /// A `Vec`.
+    Vector(Vec<Rust>),
+    /// An array.
+    Array(Vec<Rust>),
+    /// A struct, or a struct-like variant of an enum, which has no defaults.
+    Struct { path: String, is_variant: bool, fields: Vec<(&'static str, Rust)> },
+    /// A variant of an enum with one value in it.
+    Variant { path: String, inside: Box<Rust> },
+}
+
+/// Returns the expression, with only what differs from the default.
+///
+/// # Errors
+/// When the settings hold something that serde cannot tell, as none of today do.
+pub fn rust(settings: &Settings) -> Result<String, String> {
+    let (value, usual) = (to_rust(settings)?, to_rust(&Settings::default())?);
     let mut text = "umbrage::Settings {\n".to_owned();
-    let fields = |settings: &Settings| fields(&format!("{settings:?}"));
-    for ((name, value), (_, usual)) in fields(settings).into_iter().zip(fields(&default)) {
-        if value != usual {
-            let value = if name == "bias" { bias(&settings.bias) } else { qualified(&name, &value) };
-            text += &format!("    {name}: {value},\n");
-        }
+    for field in changed(&value, &usual).unwrap_or_default() {
+        text += &format!("    {field},\n");
     }
-    text + "    ..umbrage::Settings::default()\n}"
+    Ok(text + "    ..umbrage::Settings::default()\n}")
 }
 
-fn bias(bias: &Bias) -> String {
-    let fields = |bias: &Bias| fields(&format!("{bias:?}"));
-    let changed: Vec<String> = fields(bias)
-        .into_iter()
-        .zip(fields(&Bias::default()))
-        .filter(|(own, usual)| own != usual)
-        .map(|((name, value), _)| format!("{name}: {}", qualified(&name, &value)))
-        .collect();
-    format!("umbrage::Bias {{ {}, ..umbrage::Bias::default() }}", changed.join(", "))
-}
-
-/// Names and values of `Type { name: value, … }`.
-fn fields(debug: &str) -> Vec<(String, String)> {
-    let inside = debug.split_once("{ ").map_or("", |(_, rest)| rest.trim_end_matches('}').trim_end());
-    // A value's own closing brace may have gone with the type's.
-    let closed = |text: &str| "}".repeat(text.matches('{').count() - text.matches('}').count());
-    let (mut fields, mut start, mut depth) = (Vec::new(), 0, 0);
-    let mut take = |text: &str| {
-        if let Some((name, value)) = text.trim().split_once(": ") {
-            fields.push((name.to_owned(), value.to_owned() + &closed(value)));
-        }
+/// The fields of a struct that differ from those of the same struct; `None` where there is no such struct.
+fn changed(value: &Rust, usual: &Rust) -> Option<Vec<String>> {
+    let (
+        Rust::Struct { is_variant: false, fields, .. },
+        Rust::Struct { is_variant: false, fields: usual_fields, .. },
+    ) = (value, usual)
+    else {
+        return None;
     };
-    for (i, c) in inside.char_indices() {
-        match c {
-            '{' | '(' | '[' => depth += 1,
-            '}' | ')' | ']' => depth -= 1,
-            ',' if depth == 0 => {
-                take(&inside[start..i]);
-                start = i + 1;
-            }
-            _ => {}
-        }
-    }
-    take(&inside[start..]);
-    fields
+    let pairs = fields.iter().zip(usual_fields).filter(|((_, own), (_, usual))| own != usual);
+    Some(pairs.map(|((name, own), (_, usual))| format!("{name}: {}", over(own, usual))).collect())
 }
 
-/// A value of a field with every type's and every variant's path.
-fn qualified(field: &str, value: &str) -> String {
-    let (mut text, mut field) = (String::new(), field.to_owned());
-    let is_msm = value.starts_with("Msm");
-    let mut rest = value;
-    while let Some(start) = rest.find(|c: char| c.is_alphabetic()) {
-        let (before, from) = rest.split_at(start);
-        let end = from.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(from.len());
-        let (word, after) = from.split_at(end);
-        text += before;
-        let is_type = word.starts_with(char::is_uppercase) && !["Some", "None"].contains(&word);
-        if is_type {
-            text += &path(&field, is_msm);
-        } else if after.starts_with(": ") {
-            field = word.to_owned();
+/// A value over that of the default: of a struct only what differs.
+fn over(value: &Rust, usual: &Rust) -> String {
+    match (value, changed(value, usual)) {
+        (Rust::Struct { path, .. }, Some(fields)) => {
+            format!("{path} {{ {}, ..{path}::default() }}", fields.join(", "))
         }
-        text += word;
-        // What stands inside a variant is a struct of its own until a field says otherwise.
-        if is_type && after.starts_with('(') {
-            field = String::new();
-        }
-        rest = after;
+        _ => written(value),
     }
-    text += rest;
-    // A filter without numbers is an empty struct all the same.
-    if field == "filter" && value.chars().all(char::is_alphanumeric) {
-        text += " {}";
-    }
-    if value.starts_with('[') && field == "manual" { format!("vec!{text}") } else { text }
 }
 
-/// Where the value of a field lives.
-fn path(field: &str, is_msm: bool) -> String {
-    let of = match field {
-        "scheme" => "Scheme::",
-        "depth" => "DepthFormat::",
-        "storage" => "Storage::",
-        "fit" => "Fit::",
-        "warp" => "Warp::",
-        "select" => "Select::",
-        "filter" => "Filter::",
-        "shade" => "Shade::",
-        "casters" => "CasterFaces::",
-        "depth_layer" => "DepthLayer::",
-        "noise" => "NoiseSource::",
-        "precision" if is_msm => "MomentPrecision::",
-        "precision" => "Precision::",
-        _ => "",
-    };
-    format!("umbrage::{of}")
+/// A whole value, in one line.
+fn written(value: &Rust) -> String {
+    let list = |items: &[Rust]| items.iter().map(written).collect::<Vec<_>>().join(", ");
+    match value {
+        Rust::Word(word) => word.clone(),
+        Rust::Text(text) => format!("{text:?}"),
+        Rust::Given(inside) => format!("Some({})", written(inside)),
+        Rust::Vector(items) => format!("vec![{}]", list(items)),
+        Rust::Array(items) => format!("[{}]", list(items)),
+        Rust::Variant { path, inside } => format!("{path}({})", written(inside)),
+        Rust::Struct { path, fields, .. } if fields.is_empty() => format!("{path} {{}}"),
+        Rust::Struct { path, fields, .. } => {
+            let field = |(name, value): &(&str, Rust)| format!("{name}: {}", written(value));
+            format!("{path} {{ {} }}", fields.iter().map(field).collect::<Vec<_>>().join(", "))
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use umbrage::schema::{self, Values};
-    use umbrage::{Filter, Scheme, Warp};
+    use umbrage::{Bias, Filter, Scheme, Warp};
 
     use super::*;
     use crate::edit;
@@ -141,7 +116,7 @@ mod tests {
                 let settings = settings.expect("a kind");
                 // Some exclude others; those are refused.
                 let Ok(settings) = edit::with(&settings, key, Some(choice.name.into())) else { continue };
-                let text = rust(&settings);
+                let text = rust(&settings).expect("Rust");
                 assert_eq!(bare_variant(&text), None, "{} = {}: {text}", key.name, choice.name);
                 copied += 1;
             }
@@ -152,7 +127,10 @@ mod tests {
 
     #[test]
     fn the_default_needs_no_field() {
-        assert_eq!(rust(&Settings::default()), "umbrage::Settings {\n    ..umbrage::Settings::default()\n}");
+        assert_eq!(
+            rust(&Settings::default()).expect("Rust"),
+            "umbrage::Settings {\n    ..umbrage::Settings::default()\n}"
+        );
     }
 
     #[test]
@@ -175,6 +153,6 @@ mod tests {
     bias: umbrage::Bias { normal: 1.5, ..umbrage::Bias::default() },
     ..umbrage::Settings::default()
 }";
-        assert_eq!(rust(&settings), wanted);
+        assert_eq!(rust(&settings).expect("Rust"), wanted);
     }
 }

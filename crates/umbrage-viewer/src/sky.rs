@@ -5,16 +5,16 @@
 
 use glam::Vec3;
 
-/// Of the place, radians: 50° north.
+/// Latitude of the place, radians: 50° north.
 const LATITUDE: f32 = 50.0 * std::f32::consts::PI / 180.0;
 
-/// Of the sun, radians: 15°, as in the middle of May.
+/// Declination of the sun, radians: 15°, as in the middle of May.
 const DECLINATION: f32 = 15.0 * std::f32::consts::PI / 180.0;
 
-/// From which hour to which the sun is well above the horizon.
+/// The first and the last hour at which the sun is well above the horizon.
 pub const DAY: [f32; 2] = [5.5, 18.5];
 
-/// The unit direction in which sunlight travels at an hour of the day, local solar time.
+/// Returns the unit direction in which sunlight travels at an hour of the day, local solar time.
 pub fn sunlight(hour: f32) -> Vec3 {
     let hour_angle = (hour - 12.0) * std::f32::consts::PI / 12.0;
     let up = LATITUDE.sin() * DECLINATION.sin() + LATITUDE.cos() * DECLINATION.cos() * hour_angle.cos();

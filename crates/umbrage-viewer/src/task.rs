@@ -1,21 +1,20 @@
-//! Work that a window does not wait for: on a thread of its own, or in a page on the page's own time, after what says that
-//! it goes on was shown. Triangles are sorted on another thread in a page too.
+//! Work that the window does not wait for: on a thread of its own; in a page on the page's own time, after the message that
+//! says so was shown.
 
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use eframe::egui;
-use umbrage_judge::{Triangles, World};
 
-/// Work under way, and what it is in words.
+/// Work under way.
 #[derive(Debug)]
 pub struct Task<T> {
-    /// "loading knights": for people.
+    /// What it does, in words for people: "loading knights".
     pub what: String,
     result: Receiver<T>,
 }
 
 impl<T: Send + 'static> Task<T> {
-    /// Starts it. `context` is told to paint when it is done.
+    /// Starts work. `context` is asked to repaint when it is done.
     pub fn run(
         what: impl Into<String>,
         context: &egui::Context,
@@ -23,12 +22,12 @@ impl<T: Send + 'static> Task<T> {
     ) -> Self {
         Self::wait_for(what, context, async move {
             #[cfg(target_arch = "wasm32")]
-            crate::web::next_moment().await;
+            crate::browser::next_moment().await;
             work()
         })
     }
 
-    /// Waits for something elsewhere: a dialog, a file of the browser.
+    /// Waits for something that happens elsewhere, such as a dialog.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn wait_for(
         what: impl Into<String>,
@@ -48,7 +47,7 @@ impl<T: Send + 'static> Task<T> {
 
 #[cfg(target_arch = "wasm32")]
 impl<T: 'static> Task<T> {
-    /// Waits for something elsewhere: a dialog, a file of the browser.
+    /// Waits for something that happens elsewhere, such as a dialog or a file of the browser.
     pub fn wait_for(
         what: impl Into<String>,
         context: &egui::Context,
@@ -65,30 +64,8 @@ impl<T: 'static> Task<T> {
     }
 }
 
-/// Triangles that are being sorted. It fails where what sorts dies of it.
-pub type Sorting = Task<Result<World, String>>;
-
-impl Sorting {
-    /// Builds the tree over triangles: on a thread of its own, in a page too.
-    pub fn sort(
-        what: impl Into<String>,
-        context: &egui::Context,
-        triangles: impl Fn() -> Triangles + Send + 'static,
-    ) -> Self {
-        Self::wait_for(what, context, async move {
-            #[cfg(target_arch = "wasm32")]
-            {
-                crate::web::next_moment().await;
-                crate::web::sorted(triangles).await
-            }
-            #[cfg(not(target_arch = "wasm32"))]
-            Ok(World::build(triangles()))
-        })
-    }
-}
-
 impl<T> Task<T> {
-    /// What came of it: `None` while it goes on. Work that died is an error.
+    /// Returns the result, once; `None` while the work goes on. Work that died is an error.
     pub fn poll(&self) -> Option<Result<T, String>> {
         match self.result.try_recv() {
             Ok(result) => Some(Ok(result)),

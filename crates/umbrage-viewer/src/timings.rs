@@ -1,25 +1,26 @@
-//! How long passes took over the last seconds, as a plot.
+//! How long the passes of a frame took over the last seconds, as a plot.
 
 use std::collections::VecDeque;
 
 use eframe::egui;
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-use crate::stage::PassTimes;
+/// Milliseconds of a frame: planning on the CPU; casters, filter and shading on the device.
+pub type PassTimes = [f64; 4];
 
 /// How far back the plot goes, seconds.
 const SECONDS: f64 = 10.0;
 
 const NAMES: [&str; 4] = ["plan (CPU)", "casters", "filter", "shade"];
 
-/// Times of the frames of the last seconds.
+/// The times of the frames of the last ten seconds.
 #[derive(Clone, Debug, Default)]
 pub struct Timings {
     frames: VecDeque<(f64, PassTimes)>,
 }
 
 impl Timings {
-    /// A frame's times came at `now`, seconds.
+    /// Adds the times of a frame that came at `now`, seconds, and drops those that are too old.
     pub fn push(&mut self, now: f64, times: PassTimes) {
         self.frames.push_back((now, times));
         while self.frames.front().is_some_and(|(at, _)| now - at > SECONDS) {
@@ -27,15 +28,20 @@ impl Timings {
         }
     }
 
-    /// The median of the device's passes together, milliseconds; `None` without any.
+    /// The median over the frames of what the device's passes took together, milliseconds; `None` without frames.
     pub fn median(&self) -> Option<f64> {
         let mut sums: Vec<f64> = self.frames.iter().map(|(_, times)| times[1..].iter().sum()).collect();
         sums.sort_by(f64::total_cmp);
         sums.get(sums.len() / 2).copied()
     }
 
-    /// Draws them.
+    /// Shows the median, and plots the passes.
     pub fn show(&self, ui: &mut egui::Ui) {
+        ui.heading("Time");
+        if let Some(median) = self.median() {
+            ui.label(format!("{median:.2} ms a picture on the device"))
+                .on_hover_text("The median over the last ten seconds: casters, filter and shading.");
+        }
         let Some((last, _)) = self.frames.back() else {
             ui.weak("No times yet: they come from the device as the picture is drawn anew, where it has timestamps.");
             return;

@@ -1,4 +1,4 @@
-//! The page: the same program on a canvas, in a browser that knows WebGPU.
+//! The page: the same program on a canvas, in a browser that supports WebGPU.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -10,32 +10,27 @@ use umbrage::Settings;
 use umbrage_render::Gpu;
 use umbrage_scene::worlds;
 use wasm_bindgen::JsValue;
-use wasm_bindgen_futures::JsFuture;
 use web_sys::js_sys;
 
-use crate::app::{Start, Viewer};
-use crate::load::{Source, check_size};
+use crate::browser::{dispatch, pause};
+use crate::load::Source;
 use crate::probe::Probe;
-use crate::task::Task;
+use crate::viewer::{Start, Viewer};
 
-mod worker;
-
-pub use worker::sorted;
-
-/// Runs on the canvas with the id `umbrage`. The page's address may name a world and settings:
-/// `?world=knights&set=splits=3&set=lambda=0.9`.
+/// Runs the viewer on the canvas with the id `umbrage`. The page's address may name a world, a preset and settings:
+/// `?world=knights&preset=soft&set=splits=3&set=lambda=0.9`.
 ///
 /// # Errors
 /// When there is no such canvas, or no WebGPU.
 pub async fn start() -> Result<(), JsValue> {
-    std::panic::set_hook(Box::new(|panic| tell("umbrage-failed", &panic.to_string())));
+    std::panic::set_hook(Box::new(|panic| dispatch("umbrage-failed", &panic.to_string())));
     let window = web_sys::window().ok_or("no window")?;
     let document = window.document().ok_or("no document")?;
     let canvas = document.get_element_by_id("umbrage").ok_or("no canvas with the id `umbrage`")?;
     let canvas: web_sys::HtmlCanvasElement = canvas.dyn_into()?;
-    let asked = web_sys::UrlSearchParams::new_with_str(&window.location().search()?)?;
-    let mut start = asked_for(&asked);
-    let probes = asked.has("probe");
+    let query = web_sys::UrlSearchParams::new_with_str(&window.location().search()?)?;
+    let mut start = start_from(&query);
+    let probes = query.has("probe");
     loop {
         let runner = eframe::WebRunner::new();
         let held: Rc<RefCell<Option<Rc<RefCell<Viewer>>>>> = Rc::default();
@@ -47,7 +42,7 @@ pub async fn start() -> Result<(), JsValue> {
             Ok(Box::new(Page(viewer, probe)))
         });
         runner.start(canvas.clone(), options(), create).await?;
-        tell("umbrage-started", "");
+        dispatch("umbrage-started", "");
         // A page runs until it is left, unless its device is lost.
         let why = loop {
             pause(250).await;
@@ -59,18 +54,18 @@ pub async fn start() -> Result<(), JsValue> {
         let viewer = held.borrow_mut().take();
         let message = format!("the graphics device was lost ({why}); this is another one");
         if let Some(viewer) = viewer {
-            start = Start { message: Some(message), ..viewer.borrow().go_on() };
+            start = Start { message: Some(message), ..viewer.borrow().restart() };
         }
         runner.destroy();
         pause(500).await;
     }
 }
 
-/// What the page's address asks for.
-fn asked_for(asked: &web_sys::UrlSearchParams) -> Start {
-    let world = asked.get("world").unwrap_or_else(|| worlds::DEFAULT.to_owned());
-    let sets = asked.get_all("set").iter().filter_map(|set| set.as_string()).collect::<Vec<_>>();
-    let preset = asked.get("preset").unwrap_or_else(|| "default".to_owned());
+/// The world and the settings that the page's address names.
+fn start_from(query: &web_sys::UrlSearchParams) -> Start {
+    let world = query.get("world").unwrap_or_else(|| worlds::DEFAULT.to_owned());
+    let sets = query.get_all("set").iter().filter_map(|set| set.as_string()).collect::<Vec<_>>();
+    let preset = query.get("preset").unwrap_or_else(|| "default".to_owned());
     let (settings, message) = match umbrage_lab::settings::asked(&preset, &sets) {
         Ok(settings) => (settings, None),
         Err(why) => (Settings::default(), Some(why.to_string())),
@@ -89,7 +84,7 @@ fn options() -> eframe::WebOptions {
     eframe::WebOptions { wgpu_options, ..Default::default() }
 }
 
-/// The viewer, and what scripts that drive the page may know of it.
+/// The viewer, and for scripts that drive the page the places of its widgets.
 struct Page(Rc<RefCell<Viewer>>, Option<Probe>);
 
 impl eframe::App for Page {
@@ -107,8 +102,8 @@ impl eframe::App for Page {
     }
 }
 
-/// Sets `window.umbrage`: the world, its settings, whether anything is under way, what was said, how wrong it is; and where
-/// widgets are, where the page's address has `probe`.
+/// Sets the page's global `umbrage` for scripts: world, settings, whether the viewer is at rest, messages, figures of the
+/// comparison with ground truth; and the widgets' rectangles, where the page's address has `probe`.
 fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let state = js_sys::Object::new();
     let set = |key: &str, value: JsValue| {
@@ -136,61 +131,5 @@ fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     set("widgets", widgets.into());
     if let Some(window) = web_sys::window() {
         let _ = js_sys::Reflect::set(&window, &"umbrage".into(), &state);
-    }
-}
-
-/// Waits for some milliseconds, and lets the page go on.
-pub async fn pause(milliseconds: i32) {
-    let promise = js_sys::Promise::new(&mut |resolve, _| {
-        if let Some(window) = web_sys::window() {
-            // Where it cannot wait it goes on at once.
-            let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, milliseconds);
-        }
-    });
-    let _ = JsFuture::from(promise).await;
-}
-
-/// Lets the page show what it is about to do.
-pub async fn next_moment() {
-    pause(40).await;
-}
-
-/// Reads a file that was dropped on the page. It goes nowhere else.
-pub fn read(context: &egui::Context, file: egui::DroppedFileHandle) -> Task<Result<Option<Source>, String>> {
-    Task::wait_for("reading the file", context, async move {
-        let name = file.path().to_string_lossy().into_owned();
-        let size = file.web_file().map_or(0.0, |file| file.size());
-        check_size(&name, size as u64)?;
-        let bytes = file.bytes_async().await.map_err(|why| format!("{why}: {name}"))?;
-        Ok(Some(Source::Bytes { name, bytes }))
-    })
-}
-
-/// Gives the browser a file to keep.
-///
-/// # Errors
-/// When it does not take it.
-pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
-    let failed = |why: JsValue| format!("the browser does not take the file: {why:?}");
-    let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes));
-    let blob = web_sys::Blob::new_with_u8_array_sequence(&parts).map_err(failed)?;
-    let url = web_sys::Url::create_object_url_with_blob(&blob).map_err(failed)?;
-    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no page")?;
-    let link: web_sys::HtmlAnchorElement = document.create_element("a").map_err(failed)?.unchecked_into();
-    link.set_href(&url);
-    link.set_download(name);
-    link.click();
-    web_sys::Url::revoke_object_url(&url).map_err(failed)
-}
-
-/// Tells the page something: `umbrage-started`, or `umbrage-failed` with the reason. The page (`web/index.html`) makes
-/// sentences of them.
-pub fn tell(name: &str, detail: &str) {
-    let event = web_sys::CustomEventInit::new();
-    event.set_detail(&JsValue::from_str(detail));
-    let event = web_sys::CustomEvent::new_with_event_init_dict(name, &event);
-    if let (Some(window), Ok(event)) = (web_sys::window(), event) {
-        // Who does not listen does not hear.
-        let _ = window.dispatch_event(&event);
     }
 }

@@ -58,7 +58,7 @@ fn these_are_the_viewers_own_words() {
     let bare = |text: &str| text.chars().filter(|c| !c.is_whitespace() && *c != ',').collect::<String>();
     let file = bare(include_str!("as_rust.rs"));
     for preset in PRESETS {
-        let words = bare(&umbrage_viewer::rust_text::rust(&(preset.settings)()));
+        let words = bare(&umbrage_viewer::rust_text::rust(&(preset.settings)()).expect("Rust"));
         assert!(file.contains(&format!("(\"{}\"{words}", preset.name)), "{}", preset.name);
     }
 }

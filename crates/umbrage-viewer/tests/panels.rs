@@ -8,9 +8,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use umbrage::schema::{self, Values};
 use umbrage::{Contact, Filter, Settings, Shade, Warp};
-use umbrage_viewer::choices::OnPath;
 use umbrage_viewer::load::Source;
-use umbrage_viewer::settings_panel::{self, Refused};
+use umbrage_viewer::panels::settings::{self as settings_panel, Refused};
+use umbrage_viewer::view_state::PathPosition;
 use umbrage_viewer::{Start, Viewer, native};
 
 type Panel = Harness<'static, (Settings, Option<Refused>)>;
@@ -133,17 +133,17 @@ fn whole(world: &str) -> Harness<'static, Viewer> {
 #[test]
 fn every_widget_of_the_whole_window_has_a_name() {
     let mut harness = whole("primitives");
-    let choices = harness.state_mut().choices().expect("a world");
-    (choices.help, choices.maps, choices.path, choices.compare) = (true, true, Some(OnPath::default()), true);
+    let view = harness.state_mut().view().expect("a world");
+    (view.help, view.maps, view.path, view.compare) = (true, true, Some(PathPosition::default()), true);
     harness.run_steps(4);
     harness.check_accessibility();
     for name in [
         "World",
         "Camera",
-        "Take",
+        "Export",
         "Keys",
         "time of day",
-        "show what is wrong",
+        "show errors",
         "the picture",
         "along the path",
         "hold",
@@ -155,10 +155,9 @@ fn every_widget_of_the_whole_window_has_a_name() {
 #[test]
 fn a_flight_along_the_path_is_held_and_goes_on() {
     let mut harness = whole("primitives");
-    let eye =
-        |harness: &mut Harness<'_, Viewer>| harness.state_mut().choices().expect("a world").camera().eye();
+    let eye = |harness: &mut Harness<'_, Viewer>| harness.state_mut().view().expect("a world").camera().eye();
     let start = eye(&mut harness);
-    harness.state_mut().choices().expect("a world").path = Some(OnPath { along: 0.4, held: false });
+    harness.state_mut().view().expect("a world").path = Some(PathPosition { along: 0.4, held: false });
     harness.run_steps(3);
     let flown = eye(&mut harness);
     assert!(flown.distance(start) > 0.1, "it flies: {start}, {flown}");

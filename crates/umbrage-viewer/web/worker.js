@@ -1,12 +1,12 @@
-// Sorts triangles beside the page: `src/web/worker.rs` is the other end. Answers with bytes, or with words if it fails.
+// Builds a BVH beside the page: `src/browser/worker.rs` is the other end. Answers with bytes, or with a message if it fails.
 
-import start, { sort } from "./umbrage-web.js";
+import start, { build_bvh } from "./umbrage-web.js";
 
 onmessage = async ({ data: { module, triangles } }) => {
   try {
     await start({ module_or_path: module });
-    const world = sort(triangles);
-    postMessage(world, [world.buffer]);
+    const bvh = build_bvh(triangles);
+    postMessage(bvh, [bvh.buffer]);
   } catch (error) {
     postMessage(`${error}`);
   }

@@ -136,6 +136,8 @@ const TABLE_TAPS: Key = Key {
 
 const RADIUS: Key = Key {
     help: "The radius of the disc, the same in every split. A wider one makes softer edges and more noise.",
+    // With a radius of nothing, the offset along the normal need not reach as far.
+    costs: &[Cost::Plan, Cost::Shader],
     ..radius::METRES
 };
 

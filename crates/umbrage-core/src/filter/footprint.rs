@@ -95,10 +95,10 @@ impl Technique for Footprint {
 
     fn visibility(&self, reader: &Reader<'_>, query: &Query) -> f32 {
         let footprint = reader.map.footprint(query);
-        let most = Vec2::splat(self.max_texels);
+        let max = Vec2::splat(self.max_texels);
         let tap = |i: u32| {
             let point = two_squares(i as usize);
-            reader.tap((footprint * point.xy() + point.zw()).clamp(-most, most))
+            reader.tap((footprint * point.xy() + point.zw()).clamp(-max, max))
         };
         (0..self.taps).map(tap).sum::<f32>() / self.taps as f32
     }

@@ -45,7 +45,7 @@ pub(super) const SUN_DEGREES: Key = Key {
 
 pub(super) const PUNCTUAL_METRES: Key = Key {
     name: "filter.light.punctual_metres",
-    label: "lamps' size",
+    label: "size of spots and points",
     help: "The diameter of spots and points that have no size of their own; 0 is a point. \
            A larger one makes wider penumbrae.",
     unit: "metres",

@@ -8,8 +8,8 @@
 /// The largest share of a distribution that can lie at `place` or beyond it.
 pub(super) fn largest_share_beyond(first: f32, second: f32, place: f32, min_standard_deviation: f32) -> f32 {
     // The smallest positive number keeps 0 / 0 away.
-    let least = (min_standard_deviation * min_standard_deviation).max(f32::MIN_POSITIVE);
-    let variance = (second - first * first).max(least);
+    let min_variance = (min_standard_deviation * min_standard_deviation).max(f32::MIN_POSITIVE);
+    let variance = (second - first * first).max(min_variance);
     let behind = (place - first).max(0.0);
     variance / (variance + behind * behind)
 }

@@ -6,10 +6,10 @@
 
 use glam::Vec4;
 
-/// Exponential shadow maps.
+/// Exponential shadow maps: how the mean of an exponential is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Esm {
-    /// c: the larger, the darker close behind a caster; 1 to 88.
+    /// c, from 0.001 to 88: the larger it is, the darker it is close behind a caster.
     pub exponent: f32,
 }
 

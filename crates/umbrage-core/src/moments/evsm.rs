@@ -9,28 +9,28 @@ use glam::Vec4;
 use super::chebyshev::{largest_share_beyond, without_bleed};
 use super::exponent::Exponent;
 
-/// Exponential variance shadow maps of the positive exponential alone.
+/// Exponential variance shadow maps of the positive exponential alone: how its mean and mean square are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evsm2 {
-    /// Of e^(c z).
+    /// The exponent c of e^(c z).
     pub exponent: Exponent,
-    /// No variance of depth is taken to be less, squares of the depth range, 0 to 0.01. In 16 bits squares are rounded to
-    /// a 2048th, which is a variance of about 1e-5.
+    /// No variance of depth is taken to be smaller, from 0 to 0.01 squares of the depth range. In 16 bits squares are
+    /// rounded to a 2048th, which is a variance of about 1e-5.
     pub min_variance: f32,
-    /// What visibility is cut to 0, 0 to 0.99.
+    /// The share of light that is taken for leaked, from 0 to 0.99: a smaller visibility becomes 0.
     pub light_bleed_reduction: f32,
 }
 
-/// Exponential variance shadow maps of both exponentials.
+/// Exponential variance shadow maps of both exponentials: how their means and mean squares are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evsm4 {
-    /// Of e^(c z).
+    /// The exponent c of e^(c z).
     pub positive: Exponent,
-    /// Of −e^(−c z).
+    /// The exponent c of −e^(−c z).
     pub negative: Exponent,
-    /// As in [`Evsm2`].
+    /// No variance of depth is taken to be smaller; see [`Evsm2::min_variance`].
     pub min_variance: f32,
-    /// What visibility is cut to 0, 0 to 0.99.
+    /// The share of light that is taken for leaked, from 0 to 0.99: a smaller visibility becomes 0.
     pub light_bleed_reduction: f32,
 }
 

@@ -9,9 +9,9 @@ use crate::error::SettingsError;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Precision {
-    /// 32 bits.
+    /// A number has 32 bits.
     F32,
-    /// 16 bits.
+    /// A number has 16 bits.
     F16,
 }
 
@@ -19,7 +19,7 @@ impl Precision {
     /// The largest exponent whose square can be stored, and summed with weights that add to 1.
     pub const fn max_exponent(self) -> f32 {
         match self {
-            Self::F32 => 42.0, // a hundred times below the limit: sums round, and the least variance must fit too
+            Self::F32 => 42.0, // a hundred times below the limit: sums round, and the smallest variance must fit too
             Self::F16 => 5.54, // 64860 of 65504
         }
     }
@@ -38,7 +38,7 @@ impl Exponent {
     /// An exponent for moments that are stored with this precision.
     ///
     /// # Errors
-    /// `value` is not above 0, or its exponential would overflow.
+    /// When `value` is not above 0, or its exponential would overflow.
     pub fn new(value: f32, precision: Precision) -> Result<Self, SettingsError> {
         let max = precision.max_exponent();
         if value > 0.0 && value <= max {

@@ -14,15 +14,15 @@ use glam::{Vec3, Vec4};
 
 use super::chebyshev::without_bleed;
 
-/// Moment shadow maps.
+/// Moment shadow maps: how four moments are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Msm {
-    /// α: how much of `centre` is mixed in before anything is asked, so that rounding leaves what some depths could be;
-    /// 0 to 0.1. The most that a receiver can be too dark.
+    /// α, how much of `centre` is mixed in before anything is asked, from 0 to 0.1, so that rounding leaves what some depths
+    /// could be. A receiver can be too dark by that much.
     pub bias: f32,
-    /// The second and the fourth moment of what is mixed in, of depths −1…1; 0.1 to 0.9.
+    /// The second and the fourth moment of what is mixed in, of depths −1…1, from 0.1 to 0.9.
     pub centre: f32,
-    /// What visibility is cut to 0, 0 to 0.99.
+    /// The share of light that is taken for leaked, from 0 to 0.99: a smaller visibility becomes 0.
     pub light_bleed_reduction: f32,
 }
 
@@ -45,19 +45,19 @@ struct Deltas {
 }
 
 impl Msm {
-    /// For moments in 32 bits: Peters et al. 2017.
+    /// The bias of moments in 32 bits: Peters et al. 2017.
     pub const F32: Self = Self { bias: 3e-7, centre: 0.375, light_bleed_reduction: 0.0 };
-    /// For moments in 16 bits, unsigned and normalised: Peters et al. 2017.
+    /// The bias of moments in 16 bits, unsigned and normalised: Peters et al. 2017.
     pub const UNORM16: Self = Self { bias: 6e-5, centre: 0.628, light_bleed_reduction: 0.0 };
 
-    /// A smaller share of blockers is none: no picture shows it, and it may be the bias's own.
+    /// A smaller share of blockers counts as none: no picture shows it, and it may be the bias's own.
     pub const MIN_SHARE: f32 = 1e-3;
 
     /// No two places need lie further apart; their shares are less than the inverse square.
     const FARTHEST: f32 = 1e6;
 
-    /// For moments that are rounded to steps, so many of them from 0 to 1: the centre of 16 bits, and a bias of as many steps
-    /// as there. No less than 32 bits need, since that is what the sums are turned into.
+    /// The bias of moments that are rounded to so many steps from 0 to 1: the centre of 16 bits, and a bias of as many steps
+    /// as there. It is no smaller than that of 32 bits, which the sums are turned into.
     pub fn in_steps(steps: f32) -> Self {
         const STEPS: f32 = 4.0; // 6e-5 of 65535
         Self { bias: (STEPS / steps.max(1.0)).clamp(Self::F32.bias, 0.1), ..Self::UNORM16 }
@@ -126,7 +126,8 @@ impl Msm {
         without_bleed(self.light_bleed_reduction, 1.0 - shadow)
     }
 
-    /// What share of the depths lies before a receiver, and their mean. `None` where less than [`Msm::MIN_SHARE`] does.
+    /// The share of the depths that lie before a receiver, and their mean; `None` where the share is less than
+    /// [`Msm::MIN_SHARE`].
     ///
     /// The mean is that of the blockers in Peters et al. 2017: Σ w_k z_k / Σ w_k, over the z_k before the receiver.
     pub fn blocker(&self, moments: Vec4, depth: f32) -> Option<(f32, f32)> {

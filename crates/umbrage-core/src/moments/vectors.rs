@@ -6,7 +6,7 @@ use super::v11::V11;
 use super::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 
 /// In the order of V11's columns. The vectors do not name the exponents of EVSM: their values at 0.97 of the last set give
-/// 42, and those at 0.5 give 5. Nor do they name the least variance, which is next to nothing here.
+/// 42, and those at 0.5 give 5. Nor do they name the smallest variance, which is next to nothing here.
 fn columns() -> [Moments; 6] {
     let positive = Exponent::new(42.0, Precision::F32).expect("a valid exponent");
     [

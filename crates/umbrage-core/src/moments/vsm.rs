@@ -1,19 +1,20 @@
 //! Variance shadow maps: depth and its square.
 //!
 //! Donnelly & Lauritzen, *Variance Shadow Maps*, I3D 2006; Lauritzen, *Summed-Area Variance Shadow Maps*, GPU Gems 3, 2007,
-//! chapter 8. Paper → here: M₁, M₂ → x and y of the moments; the least variance → `min_variance`; within a texel a flat
+//! chapter 8. Paper → here: M₁, M₂ → x and y of the moments; the smallest variance → `min_variance`; within a texel a flat
 //! surface has the variance ¼ ((∂z/∂x)² + (∂z/∂y)²), from `slope`.
 
 use glam::{Vec2, Vec4};
 
 use super::chebyshev::{largest_share_beyond, without_bleed};
 
-/// Variance shadow maps.
+/// Variance shadow maps: how a mean and a mean square are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vsm {
-    /// No variance is taken to be less, squares of the depth range, 0 to 0.01.
+    /// No variance is taken to be smaller, from 0 to 0.01 squares of the depth range.
     pub min_variance: f32,
-    /// What visibility is cut to 0, 0 to 0.99. Light leaks less, and penumbrae are narrower.
+    /// The share of light that is taken for leaked, from 0 to 0.99: a smaller visibility becomes 0. Light leaks less, and
+    /// penumbrae are narrower.
     pub light_bleed_reduction: f32,
 }
 

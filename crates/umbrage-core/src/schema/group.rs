@@ -3,17 +3,17 @@
 /// Settings that stand together on a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// Where the depth of the view is cut.
+    /// Says where the depth of the view is cut.
     Splits,
-    /// What the maps are.
+    /// Says what the maps are, and what they cover.
     Maps,
-    /// How they are read.
+    /// Says how maps are read.
     Filter,
-    /// What keeps surfaces from shadowing themselves.
+    /// Keeps surfaces from shadowing themselves.
     Bias,
-    /// Shadows from the camera's depth.
+    /// Adds shadows from the camera's depth.
     Contact,
-    /// What a shadow does to the picture.
+    /// Says what a shadow does to the picture.
     Shade,
 }
 
@@ -22,7 +22,7 @@ impl Group {
     pub const ALL: [Self; 6] =
         [Self::Splits, Self::Maps, Self::Filter, Self::Bias, Self::Contact, Self::Shade];
 
-    /// As a panel heads it.
+    /// The heading that a panel gives it.
     pub fn label(self) -> &'static str {
         match self {
             Self::Splits => "splits",

@@ -1,4 +1,4 @@
-//! What keeps surfaces from shadowing themselves: which faces are drawn, what is stored of them, and how far a lookup
+//! What keeps surfaces from shadowing themselves? Which faces are drawn, what is stored of them, and how far a lookup
 //! stands off. Ten ways and what each costs: `docs/decisions/0015-biases.md`.
 
 use crate::error::SettingsError;
@@ -7,36 +7,42 @@ use crate::schema::group::Group;
 use crate::schema::key::Key;
 use crate::schema::values::{Choice, Values};
 
-/// What keeps surfaces from shadowing themselves. Zero everywhere is no bias.
+/// What keeps surfaces from shadowing themselves. Zero everywhere is no bias: [`Bias::NONE`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Bias {
-    /// Raster: least depth steps of the map's format (`glPolygonOffset` units).
+    /// How many of the smallest steps of the map's format casters are drawn deeper (`glPolygonOffset` units), from
+    /// -1000000000 to 1000000000 depth steps. The default is 0.
     pub raster_constant: i32,
-    /// Raster: times the caster's depth slope a texel (`glPolygonOffset` factor).
+    /// How much deeper casters are drawn, in their own depth slopes a texel (`glPolygonOffset` factor), from -100 to 100.
+    /// The default is 0.
     pub raster_slope: f32,
-    /// Toward the light at lookup, metres.
+    /// How far a lookup moves toward the light, from 0 to 1000 metres. The default is 0.002.
     pub constant: f32,
-    /// Toward the light at lookup, in texels of the view, times the tangent of the angle between normal and light.
+    /// How far a lookup moves toward the light, from 0 to 100 texels of the view, times the tangent of the angle between
+    /// normal and light. The default is 0.5.
     pub slope: f32,
-    /// The largest tangent that `slope` is multiplied with; 2 in opengl-tutorial 16 (0.01 / 0.005).
+    /// The largest tangent that `slope` is multiplied with, from 0 to 10000; it is 2 in opengl-tutorial 16 (0.01 / 0.005).
+    /// The default is 16.
     pub slope_limit: f32,
-    /// Along the receiver's normal at lookup; without `receiver_plane`, 1 is the least that is exact for the filter's
-    /// kernel on a flat receiver.
+    /// How far a lookup moves along the receiver's normal, in reaches of the filter, from 0 to 100. Without
+    /// `receiver_plane`, 1 is the smallest that is exact for the filter's kernel on a flat receiver. The default is 0.
     pub normal: f32,
     /// Whether each texel is compared with the depth that the receiver's own plane has at the texel's centre, instead of
-    /// the receiver's depth. A flat receiver then needs next to no other bias.
+    /// the receiver's depth. A flat receiver then needs next to no other bias. The default is true.
     pub receiver_plane: bool,
-    /// Which faces of casters are drawn.
+    /// Which faces of casters are drawn. The default is [`CasterFaces::Both`].
     pub casters: CasterFaces,
-    /// What is stored, of the first surface that the light meets and of the second.
+    /// What is stored of the surfaces that a ray of light meets. The default is [`DepthLayer::First`].
     pub depth_layer: DepthLayer,
-    /// For [`DepthLayer::Dual`], the most that is stored behind the first surface; for [`DepthLayer::Midpoint`] and
-    /// [`DepthLayer::Second`], what is stored behind it where there is no second, metres.
+    /// How far behind the first surface [`DepthLayer::Dual`] stores at most, from 0 to 1000 metres; for
+    /// [`DepthLayer::Midpoint`] and [`DepthLayer::Second`], what is stored behind it where there is no second. The default
+    /// is 0.05.
     pub depth_layer_limit: f32,
-    /// Cosine of the angle between normal and light up to which light fades in, 0 to 1. Surfaces that are turned away from
-    /// the light are dark without a lookup; where smooth shading still lights them, the facets show unless it fades.
+    /// The cosine of the angle between normal and light up to which light fades in, from 0 to 1. Surfaces that face away
+    /// from the light are dark without a lookup; where smooth shading still lights them, the facets show unless it fades.
+    /// The default is 0.
     pub terminator: f32,
 }
 
@@ -44,11 +50,11 @@ pub struct Bias {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum CasterFaces {
-    /// All.
+    /// All faces.
     Both,
-    /// Those turned to the light.
+    /// Those that face the light.
     Front,
-    /// Those turned away; wants closed casters.
+    /// Those that face away from it; wants closed casters.
     Back,
 }
 
@@ -56,13 +62,14 @@ pub enum CasterFaces {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum DepthLayer {
-    /// The first.
+    /// The first surface.
     First,
-    /// The second (Wang & Molnar 1994).
+    /// The second surface (Wang & Molnar 1994).
     Second,
-    /// Half-way between the two (Woo 1992).
+    /// The depth half-way between the two (Woo 1992).
     Midpoint,
-    /// Half-way between the two, but at most [`Bias::depth_layer_limit`] behind the first (Weiskopf & Ertl 2003).
+    /// The depth half-way between the two, but at most [`Bias::depth_layer_limit`] behind the first (Weiskopf & Ertl
+    /// 2003).
     Dual,
 }
 
@@ -74,7 +81,7 @@ impl Default for Bias {
             constant: 0.002,   // rounding of depth over a few kilometres in 32 bits
             slope: 0.5,        // bends between triangles: docs/decisions/0017
             slope_limit: 16.0, // 86°; steeper walls get next to no light
-            normal: 0.0,       // it moves the lookup aside, and shadows downsample
+            normal: 0.0,       // it moves the lookup aside, and shadows shrink
             receiver_plane: true,
             casters: CasterFaces::Both,
             depth_layer: DepthLayer::First,
@@ -85,7 +92,7 @@ impl Default for Bias {
 }
 
 impl Bias {
-    /// No bias at all.
+    /// No bias of any kind.
     pub const NONE: Self = Self {
         raster_constant: 0,
         raster_slope: 0.0,
@@ -275,7 +282,7 @@ const DEPTH_LAYER_LIMIT: Key = Key {
            there is no second. More of it lets light in under what is thin.",
     source: "Weiskopf & Ertl 2003",
     unit: "metres",
-    costs: &[Cost::Maps],
+    costs: &[Cost::Frame],
     values: Values::number(0.0, 1e3, [0.0, 1.0]),
     ..BASE
 };

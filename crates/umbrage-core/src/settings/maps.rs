@@ -29,8 +29,8 @@ impl DepthFormat {
     /// How much a stored depth may differ from the one that was drawn, of a range from 0 to 1. Lookups stand off by it.
     pub fn step(self) -> f32 {
         match self {
-            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; a
-            // lamp's depth is steep far away, and there it counts.
+            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; the
+            // depth of a punctual light is steep far away, and there it counts.
             Self::F32 => f32::EPSILON,
             Self::U16 => 1.0 / 65535.0,
         }
@@ -174,7 +174,7 @@ pub(super) const BLEND: Key = Key {
     label: "blend",
     help: "What share of a slice's depth is cross-faded into the next one; the last one fades to lit. \
            By map, what share of the map's half width. Where views fade, two maps are read.",
-    costs: &[Cost::Plan, Cost::Shader],
+    costs: &[Cost::Plan, Cost::Frame, Cost::Shader],
     values: Values::number(0.0, 1.0, [0.0, 1.0]),
     ..BASE
 };

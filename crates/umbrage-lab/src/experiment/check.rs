@@ -249,7 +249,9 @@ fn refuse_settings(
         WrongSettings::Preset(_)
         | WrongSettings::Words(_)
         | WrongSettings::Key(_)
-        | WrongSettings::Range(_) => wrong.to_string(),
+        | WrongSettings::Renamed { .. }
+        | WrongSettings::Range(_)
+        | WrongSettings::File { .. } => wrong.to_string(),
     };
     let inside = |outer: &str, inner: &str| inner == outer || inner.starts_with(&format!("{outer}."));
     let sets = wrong.key().split('.').next().is_some_and(|first| variant.set.contains_key(first));

@@ -8,6 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::Experiment;
 use crate::LabError;
+use crate::lines::line_of;
 use crate::settings::{fault, one_line};
 
 /// An experiment's file, parsed as TOML.
@@ -31,7 +32,7 @@ impl<'a> Source<'a> {
     /// Parses the text of the file at `path`.
     pub fn new(path: &'a Path, text: &'a str) -> Result<Self, LabError> {
         let root = DeTable::parse(text).map_err(|why| {
-            let line = line(text, why.span().map_or(0, |span| span.start));
+            let line = line_of(text, why.span().map_or(0, |span| span.start));
             refused(path, line, key_on(text, line), why.message())
         })?;
         Ok(Self { path, text, root })
@@ -41,7 +42,7 @@ impl<'a> Source<'a> {
     pub fn experiment(&self) -> Result<Experiment, LabError> {
         self.check_names()?;
         toml::from_str(self.text).map_err(|why: toml::de::Error| {
-            let line = line(self.text, why.span().map_or(0, |span| span.start));
+            let line = line_of(self.text, why.span().map_or(0, |span| span.start));
             let (key, wrong) = fault(why);
             refused(self.path, line, key, wrong)
         })
@@ -76,7 +77,7 @@ impl<'a> Source<'a> {
             Step::Item(_) => None,
         });
         let key = keys.collect::<Vec<_>>().join(".");
-        refused(self.path, line(self.text, self.start(at)), key, wrong)
+        refused(self.path, line_of(self.text, self.start(at)), key, wrong)
     }
 
     /// The byte that the deepest step begins at which the file has.
@@ -105,12 +106,6 @@ impl<'a> Source<'a> {
 
 fn refused(path: &Path, line: usize, key: String, wrong: impl Display) -> LabError {
     LabError::Experiment { line, key: one_line(key), wrong: one_line(wrong), path: path.to_owned() }
-}
-
-/// The line of a byte, from 1. The end of the text is on its last line.
-fn line(text: &str, byte: usize) -> usize {
-    let before = &text.as_bytes()[..byte.min(text.len().saturating_sub(1))];
-    before.iter().filter(|byte| **byte == b'\n').count() + 1
 }
 
 /// What stands for a key where the text is no TOML: the beginning of the last line, up to this one, that has any.

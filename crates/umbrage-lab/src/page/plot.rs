@@ -18,8 +18,8 @@ use series::{Chart, chart};
 
 /// A plot as the page shows it.
 pub(super) enum Drawing {
-    /// A chart, as SVG.
-    Drawn { title: String, chart: Chart, svg: String },
+    /// A chart as SVG, and its legend.
+    Drawn { title: String, svg: String, legend: Markup },
     /// There is nothing to plot.
     Empty { title: String },
     /// There is no such figure.
@@ -59,7 +59,7 @@ fn drawing(
         return Ok(Drawing::Empty { title });
     }
     let svg = draw::svg(&chart)?;
-    Ok(Drawing::Drawn { title, chart, svg })
+    Ok(Drawing::Drawn { title, svg, legend: legend(&chart) })
 }
 
 fn title(plot: &Plot, chart: &Chart, world: Option<&str>) -> String {
@@ -95,11 +95,11 @@ fn figure(drawing: &Drawing) -> Markup {
         Drawing::Empty { title } => html! {
             figure { figcaption { b { (Text(title)) } " " span.none { "nothing to plot" } } }
         },
-        Drawing::Drawn { title, chart, svg } => html! {
+        Drawing::Drawn { title, svg, legend } => html! {
             figure { "\n"
                 figcaption { b { (Text(title)) } } "\n"
                 (PreEscaped(named(svg, title)))
-                p.legend { (legend(chart)) } "\n"
+                p.legend { (legend) } "\n"
             }
         },
     }
@@ -113,7 +113,7 @@ fn named(svg: &str, title: &str) -> String {
 impl Drawing {
     /// The drawing as a file of its own, on white; `None` where nothing was drawn.
     pub fn file(&self) -> Option<String> {
-        let Self::Drawn { title, chart: _, svg } = self else { return None };
+        let Self::Drawn { title, svg, legend: _ } = self else { return None };
         let svg = named(svg.trim_end(), title);
         let (head, body) = svg.split_once('>')?;
         Some(format!("{head}><rect width=\"100%\" height=\"100%\" fill=\"white\"/>{body}\n"))

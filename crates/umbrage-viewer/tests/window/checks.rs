@@ -29,10 +29,10 @@ pub fn all(log: &Log) {
     let oracle = Oracle::new("primitives");
     for name in ["lambda", "splits", "filter", "warp"] {
         let changed = seen(name);
-        assert_ne!(changed.choices.settings[0], Settings::default(), "{name}: the widget changed a setting");
+        assert_ne!(changed.view.settings[0], Settings::default(), "{name}: the widget changed a setting");
         oracle.changes_where_visibility_does(name, first, changed);
     }
-    assert_eq!(seen("reset").choices.settings[0], Settings::default());
+    assert_eq!(seen("reset").view.settings[0], Settings::default());
     assert!(same(first, seen("reset")), "what is reset looks as it did");
 
     let truth = seen("truth");
@@ -40,7 +40,7 @@ pub fn all(log: &Log) {
     let wrong = truth.mis_shadowed.expect("figures");
     assert!((0.0..0.05).contains(&wrong), "{wrong} of them are wrong");
     assert!(!same(seen("reset"), truth));
-    assert!(seen("compared").choices.compare && !same(truth, seen("compared")));
+    assert!(seen("compared").view.compare && !same(truth, seen("compared")));
     for name in ["tinted", "texels", "extents", "maps", "frozen"] {
         assert!(!same(first, seen(name)), "{name} is seen");
     }
@@ -51,7 +51,7 @@ pub fn all(log: &Log) {
 
     let refused = seen("refused");
     assert_eq!(refused.world, "primitives", "what was shown before stays");
-    assert_eq!(refused.choices.settings[0], Settings::default());
+    assert_eq!(refused.view.settings[0], Settings::default());
     for wanted in ["not-a-scene", "virtual_pages"] {
         assert!(refused.messages.iter().any(|message| message.contains(wanted)), "{:?}", refused.messages);
     }
@@ -102,10 +102,10 @@ impl Oracle {
     /// What the maps say of every pixel of a picture that was seen.
     fn visibility(&self, seen: &Seen) -> Vec<u8> {
         let (width, height) = (seen.picture.width().round() as u32, seen.picture.height().round() as u32);
-        let camera = seen.choices.camera();
+        let camera = seen.view.camera();
         let (lights, show) = (&self.scene.lights[..1], Show::Visibility(0));
         let frame = Frame::of(&camera, lights, 0.0, [width, height], show).expect("a camera and a light");
-        let settings = seen.choices.settings[0].clone();
+        let settings = seen.view.settings[0].clone();
         let mut renderer = Renderer::new(&self.gpu, &self.scene, settings).expect("a renderer");
         let drawn = renderer.render(&frame).expect("a frame").drawn;
         drawn.picture().expect("a picture").rgba.into_iter().step_by(4).collect()

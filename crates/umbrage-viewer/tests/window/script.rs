@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 
 use eframe::egui::{self, ColorImage, Event, PointerButton, Pos2, Rect, ViewportCommand};
 use umbrage_viewer::Viewer;
-use umbrage_viewer::choices::Choices;
 use umbrage_viewer::load::Source;
 use umbrage_viewer::probe::Probe;
+use umbrage_viewer::view_state::ViewState;
 
 /// One thing that is done.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub enum Step {
     Drag(&'static str, f32, f32),
     /// A key is pressed.
     Key(egui::Key),
-    /// What is on the screen is kept under a name, with what was chosen.
+    /// What is on the screen is kept under a name, with the state of the view.
     Look(&'static str),
     /// Another world is asked for.
     World(&'static str),
@@ -43,7 +43,7 @@ pub struct Seen {
     pub screen: Arc<ColorImage>,
     /// Where the picture is, points.
     pub picture: Rect,
-    pub choices: Choices,
+    pub view: ViewState,
     pub world: String,
     pub messages: Vec<String>,
     pub mis_shadowed: Option<f64>,
@@ -86,7 +86,7 @@ pub fn steps() -> VecDeque<Step> {
         Click("LiSPSM"),
         Look("warp"),
         Click("reset"),
-        Click("show what is wrong"),
+        Click("show errors"),
         Wait(2),
         Look("truth"),
         Click("compare two settings"),
@@ -95,14 +95,14 @@ pub fn steps() -> VecDeque<Step> {
         Wait(2),
         Look("compared"),
         Click("compare two settings"),
-        Click("show what is wrong"),
+        Click("show errors"),
         Click("splits tint"),
         Look("tinted"),
         Click("texels"),
         Look("texels"),
         Click("pixels per texel"),
         Look("extents"),
-        Click("as it is"),
+        Click("shaded"),
         Click("shadow maps"),
         Wait(4),
         Look("maps"),
@@ -254,7 +254,7 @@ impl Scripted {
         let seen = Seen {
             screen,
             picture: self.find("the picture"),
-            choices: viewer.choices().expect("a world is shown").clone(),
+            view: viewer.view().expect("a world is shown").clone(),
             world: viewer.world_name().to_owned(),
             messages: viewer.messages().to_vec(),
             mis_shadowed: figures.as_ref().map(|figures| figures.tally.mis_shadowed()),

@@ -1,4 +1,4 @@
-// A browser with a software GPU, and the hands to use the page: for scripts that look at it as a person would.
+// A browser with a software GPU, and functions to use a page as a person would.
 //
 // egui draws its own widgets, so there is nothing in the document to click on: positions are in CSS pixels, and come
 // from what the page says of itself (`Page.global`).

@@ -34,7 +34,7 @@ async function check(name, folder, options, look) {
   }
 }
 
-/** The page must say what is wrong, in words that hold `words`. */
+/** The page must show an error message that contains `words`. */
 async function says(page, words) {
   const message = await page.started().then(() => "nothing is wrong", (error) => error.message);
   if (!message.includes(words)) throw new Error(`\`${words}\` was wanted: ${message}`);

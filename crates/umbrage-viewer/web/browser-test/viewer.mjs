@@ -20,21 +20,21 @@ const server = await serve(dist);
 const browser = await launch({ width: 1180, height: 760 });
 const { page } = browser;
 
-function check(is, what) {
-  if (!is) throw new Error(what);
+function check(holds, what) {
+  if (!holds) throw new Error(what);
   console.log(`  ${what}`);
 }
 
-/** What the page says of itself (`publish` in web.rs). */
+/** The state that the page publishes (`publish` in web.rs). */
 const state = () => page.global("umbrage");
 
-/** Waits until the page says something of itself. */
-async function until(what, is, timeout = 120_000) {
+/** Waits until the published state fulfils a condition. */
+async function until(what, holds, timeout = 120_000) {
   const end = Date.now() + timeout;
   for (;;) {
     const now = await state();
-    if (now && is(now)) return now;
-    if (Date.now() > end) throw new Error(`${what} did not come; the page says ${JSON.stringify({ ...now, widgets: undefined })}`);
+    if (now && holds(now)) return now;
+    if (Date.now() > end) throw new Error(`${what} did not come; the page publishes ${JSON.stringify({ ...now, widgets: undefined })}`);
     await page.wait(100);
   }
 }
@@ -50,7 +50,7 @@ async function click(name) {
   await page.click(x, y);
 }
 
-/** Keeps what is on the screen; the picture in it, without panels. */
+/** Saves a screenshot, and returns the picture in it, without panels. */
 async function look(name) {
   await page.wait(600);
   const path = join(pictures, `${name}.png`);
@@ -63,7 +63,7 @@ async function look(name) {
   return picture;
 }
 
-/** How many pixels differ by more than eight bits' noise. */
+/** How many pixels differ by more than the noise of eight bits. */
 function differing(a, b) {
   let count = 0;
   for (let i = 0; i < a.data.length; i += 4) {
@@ -72,8 +72,8 @@ function differing(a, b) {
   return count;
 }
 
-/** Pixels of `a` that are like none of the pixels within `reach` in `b`: what is not a matter of where an edge lies. */
-function strange(a, b, reach) {
+/** How many pixels of `a` match no pixel within `reach` in `b`, and so do not differ by the place of an edge alone. */
+function unmatched(a, b, reach) {
   const { width, height } = a;
   let count = 0;
   for (let y = reach; y < height - reach; y++) {
@@ -95,7 +95,7 @@ function strange(a, b, reach) {
   return count;
 }
 
-/** A world's first picture, which is the native program's. */
+/** Compares a world's first picture with the native program's. */
 async function world() {
   const start = Date.now();
   await page.goto(server.url, { world: "primitives", probe: "1" });
@@ -108,7 +108,7 @@ async function world() {
   execFileSync(umbrage, ["render", "primitives", "--area-samples", "1", "--size", size, "-o", file]);
   const native = PNG.sync.read(await readFile(file));
   const [apart, total] = [differing(first, native), first.width * first.height];
-  const odd = strange(first, native, 1);
+  const odd = unmatched(first, native, 1);
   console.log(`  ${apart} of ${total} pixels differ from the native picture; ${odd} are like none within a pixel there`);
   check(apart < 0.01 * total, "the picture is the native one but for a hundredth of its pixels");
   check(odd < 1e-4 * total, "and those are at edges, off by a pixel at most");
@@ -129,11 +129,11 @@ async function slider(first) {
 async function fingers(first) {
   const { left, top, right, bottom } = await widget("the picture");
   const at = (x, y) => [left + x * (right - left), top + y * (bottom - top)];
-  const way = (from, to) => Array.from({ length: 9 }, (_, i) => from.map((place, axis) => place + ((to[axis] - place) * i) / 8));
-  await page.touch(way(at(0.5, 0.5), at(0.6, 0.5)));
+  const path = (from, to) => Array.from({ length: 9 }, (_, i) => from.map((place, axis) => place + ((to[axis] - place) * i) / 8));
+  await page.touch(path(at(0.5, 0.5), at(0.6, 0.5)));
   const turned = await look("web-turned");
   check(differing(first, turned) > 0.1 * first.width * first.height, "one finger looks around");
-  await page.touch(way(at(0.42, 0.5), at(0.34, 0.5)), way(at(0.58, 0.5), at(0.66, 0.5)));
+  await page.touch(path(at(0.42, 0.5), at(0.34, 0.5)), path(at(0.58, 0.5), at(0.66, 0.5)));
   const nearer = await look("web-nearer");
   check(differing(turned, nearer) > 0.1 * first.width * first.height, "two go nearer");
   await page.press("1");
@@ -152,12 +152,12 @@ async function narrow(first) {
 }
 
 async function truth() {
-  await click("show what is wrong");
+  await click("show errors");
   const judged = await until("the truth", (now) => now.judged > 10_000 && now.atRest);
   await look("web-truth");
   console.log(`  ${judged.judged} pixels judged, ${(100 * judged.misShadowed).toFixed(3)} % mis-shadowed`);
   check(judged.misShadowed < 0.02, "less than 2 % is wrong");
-  await click("show what is wrong");
+  await click("show errors");
 }
 
 async function lostDevice(first) {
@@ -203,26 +203,26 @@ async function background() {
   await look("web-back");
 }
 
-/** More than a million triangles, sorted for rays beside the page, or by it where the browser starts no worker. */
+/** A BVH of more than a million triangles, built beside the page, or by it where the browser starts no worker. */
 async function large() {
-  const stands = {};
-  for (const sorts of ["a worker", "the page"]) {
+  const blocked = {};
+  for (const builder of ["a worker", "the page"]) {
     const start = Date.now();
     await page.goto(server.url, { probe: "1" });
     await until("the world", (now) => now.world === "mining-terrain" && now.atRest, 300_000);
     console.log(`  shown after ${((Date.now() - start) / 1e3).toFixed(1)} s, on a software GPU`);
     await look("web-mining-terrain");
-    if (sorts === "the page") await page.tab.evaluate(() => delete window.Worker);
-    stands[sorts] = await page.longestTask(async () => {
-      await click("show what is wrong");
+    if (builder === "the page") await page.tab.evaluate(() => delete window.Worker);
+    blocked[builder] = await page.longestTask(async () => {
+      await click("show errors");
       await until("some truth", (now) => now.judged > 1000, 300_000);
     });
-    console.log(`  stands still for ${stands[sorts].toFixed(0)} ms at most while ${sorts} sorts triangles`);
+    console.log(`  blocked for ${blocked[builder].toFixed(0)} ms at most while ${builder} builds the BVH`);
     const rest = await page.longestTask(() => until("all of it", (now) => now.judged > 10_000 && now.atRest, 300_000));
     console.log(`  and for ${rest.toFixed(0)} ms at most while rays are traced and edges measured`);
     await look("web-mining-terrain-truth");
   }
-  check(stands["a worker"] < 0.5 * stands["the page"], "a worker leaves the page free");
+  check(blocked["a worker"] < 0.5 * blocked["the page"], "a worker leaves the page free");
 }
 
 async function main() {
@@ -234,7 +234,7 @@ async function main() {
   await fingers(first);
   console.log("a narrow page");
   await narrow(first);
-  console.log("what is wrong");
+  console.log("ground truth");
   await truth();
   console.log("a lost device");
   await lostDevice(first);

@@ -13,6 +13,7 @@ use crate::filter::technique::Technique;
 use crate::lookup::place::Query;
 use crate::lookup::reader::Reader;
 use crate::moments::{Moments, Vsm};
+use crate::schema::cost::Cost;
 use crate::schema::key::Key;
 use crate::schema::kind::Kind;
 use crate::schema::values::Choice;
@@ -37,6 +38,8 @@ const RADIUS_TEXELS: Key = Key {
     help: "Half a side of the box; where there is a radius in metres, the most that it may become. \
            A wider one makes softer edges, and maps keep so much room around what is seen.",
     source: "Lauritzen 2007",
+    // The sums have as many steps as the widest box allows.
+    costs: &[Cost::Plan, Cost::Shader, Cost::Maps],
     ..radius::TEXELS
 };
 

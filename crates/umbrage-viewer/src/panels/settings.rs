@@ -1,5 +1,5 @@
-//! The panel of settings: a widget a key of the schema, in the schema's order. It knows no setting by name, so that a new
-//! one appears by itself.
+//! The panel of settings: one widget for each key of the schema, in the schema's order. It knows no setting by name, so a
+//! new one appears by itself.
 
 use eframe::egui;
 use toml::{Table, Value};
@@ -8,12 +8,12 @@ use umbrage::{PRESETS, Settings};
 
 use crate::edit;
 
-/// What the panel says of settings that cannot be, under the widget that wanted them.
+/// Why a setting was refused. The panel says it under the setting's widget.
 #[derive(Clone, Debug, Default)]
 pub struct Refused {
-    /// Which key.
+    /// The name of the key.
     pub key: &'static str,
-    /// Why, in one line.
+    /// The reason, in one line.
     pub why: String,
 }
 
@@ -25,7 +25,7 @@ fn id(name: &str) -> egui::Id {
     egui::Id::unique(("setting", name))
 }
 
-/// Shows settings, and gives others where people want them.
+/// Shows settings, and returns others where a widget was changed. A value that is refused is kept in `refused` instead.
 pub fn show(ui: &mut egui::Ui, settings: &Settings, refused: &mut Option<Refused>) -> Option<Settings> {
     let mut changed = presets(ui, settings);
     let Ok(table) = edit::table(settings) else { return None };

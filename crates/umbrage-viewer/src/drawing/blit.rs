@@ -1,5 +1,5 @@
-//! The picture onto the screen, texel for pixel: egui's own way blends and filters, which a software adapter pays for with
-//! every pixel.
+//! Copies the picture to the screen, texel for pixel. egui itself would blend and filter it, which a software adapter pays for
+//! with every pixel.
 
 use eframe::{egui, egui_wgpu, wgpu};
 
@@ -31,7 +31,7 @@ pub struct Blit {
 }
 
 impl Blit {
-    /// For a window; `None` where its surface wants light instead of bytes.
+    /// Makes the pipeline for a window; `None` where the window's surface encodes sRGB itself.
     pub fn new(window: &egui_wgpu::RenderState) -> Option<Self> {
         if window.target_format.is_srgb() {
             return None;
@@ -64,7 +64,7 @@ impl Blit {
         Some(Self { pipeline })
     }
 
-    /// What covers a rectangle with a picture.
+    /// Returns the shape that covers a rectangle with a picture.
     pub fn shape(
         &self,
         window: &egui_wgpu::RenderState,

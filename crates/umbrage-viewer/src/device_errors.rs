@@ -1,49 +1,49 @@
-//! What the device says went wrong, kept until the window can say it.
+//! Errors that the device reports, kept until the window shows them.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::{egui, wgpu};
 
-/// What went wrong on a device since it was last asked.
+/// Errors of a device since they were last taken, and why it was lost.
 #[derive(Clone, Debug, Default)]
-pub struct Trouble {
-    said: Arc<Mutex<Said>>,
+pub struct DeviceErrors {
+    reported: Arc<Mutex<Reported>>,
 }
 
 #[derive(Debug, Default)]
-struct Said {
+struct Reported {
     errors: Vec<String>,
     lost: Option<String>,
 }
 
-impl Trouble {
-    /// Listens to a device. Without a listener wgpu ends the program.
+impl DeviceErrors {
+    /// Listens to a device, and asks `context` to repaint on each error. Without a listener wgpu ends the program.
     pub fn of(device: &wgpu::Device, context: &egui::Context) -> Self {
-        let trouble = Self::default();
-        let (said, ctx) = (Arc::clone(&trouble.said), context.clone());
+        let errors = Self::default();
+        let (reported, ctx) = (Arc::clone(&errors.reported), context.clone());
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            lock(&said).errors.push(first_line(&error.to_string()));
+            lock(&reported).errors.push(first_line(&error.to_string()));
             ctx.request_repaint();
         }));
-        let (said, ctx) = (Arc::clone(&trouble.said), context.clone());
+        let (reported, ctx) = (Arc::clone(&errors.reported), context.clone());
         device.set_device_lost_callback(move |_, reason| {
-            lock(&said).lost =
+            lock(&reported).lost =
                 Some(if reason.is_empty() { "no reason given".to_owned() } else { first_line(&reason) });
             ctx.request_repaint();
         });
         #[cfg(not(target_arch = "wasm32"))]
-        context.add_plugin(Guard { device: device.clone(), trouble: trouble.clone() });
-        trouble
+        context.add_plugin(Guard { device: device.clone(), errors: errors.clone() });
+        errors
     }
 
-    /// Errors since the last call.
-    pub fn errors(&self) -> Vec<String> {
-        std::mem::take(&mut lock(&self.said).errors)
+    /// Takes the errors since the last call, each in one line.
+    pub fn take(&self) -> Vec<String> {
+        std::mem::take(&mut lock(&self.reported).errors)
     }
 
-    /// Why the device was lost, where it was.
+    /// Why the device was lost; `None` while it works.
     pub fn lost(&self) -> Option<String> {
-        lock(&self.said).lost.clone()
+        lock(&self.reported).lost.clone()
     }
 }
 
@@ -51,7 +51,7 @@ impl Trouble {
 #[cfg(not(target_arch = "wasm32"))]
 struct Guard {
     device: wgpu::Device,
-    trouble: Trouble,
+    errors: DeviceErrors,
 }
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -61,21 +61,21 @@ impl egui::Plugin for Guard {
     }
 
     fn output_hook(&mut self, _context: &egui::Context, output: &mut egui::FullOutput) {
-        // What matters is what it says while it is asked.
+        // Polling runs the callback of a lost device.
         let _ = self.device.poll(wgpu::PollType::Poll);
-        if self.trouble.lost().is_some() {
+        if self.errors.lost().is_some() {
             output.shapes.clear();
             output.textures_delta.clear();
         }
     }
 }
 
-fn lock(said: &Mutex<Said>) -> std::sync::MutexGuard<'_, Said> {
-    // Whoever died while it wrote left a whole list.
-    said.lock().unwrap_or_else(PoisonError::into_inner)
+fn lock(reported: &Mutex<Reported>) -> std::sync::MutexGuard<'_, Reported> {
+    // A thread that died while it wrote left a whole list.
+    reported.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// wgpu's errors tell a story; a window has room for a line.
+/// The last and the first line of an error of wgpu, which has many: what is wrong, and of what.
 fn first_line(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     lines.iter().rev().take(1).chain(lines.first()).copied().collect::<Vec<_>>().join(": ")

@@ -1,6 +1,6 @@
-//! Where the view is cut: distances on a linear scale over a logarithmic one, and λ between the two as a handle.
+//! The split distances on a linear scale over a logarithmic one, and λ between the two as a handle.
 //!
-//! Zhang et al. 2006, eqs. 4–6: λ = 0 cuts evenly on the linear scale, λ = 1 on the logarithmic one.
+//! Zhang et al. 2006, eqs. 4–6: splits are equal on the linear scale for λ = 0, and on the logarithmic one for λ = 1.
 
 use eframe::egui;
 use eframe::egui::{Pos2, Rect, Stroke, Vec2, pos2};
@@ -10,24 +10,26 @@ use crate::colours::of_split;
 /// Height of the plot, points.
 const HEIGHT: f32 = 96.0;
 
-const HELP: &str = "Where the view is cut. Above, distances as they are; below, their logarithms.";
+const HELP: &str = "The split distances, linear above and logarithmic below.";
 
-/// Shows cuts C_0 … C_m, metres, and gives another λ where the handle was dragged. Where λ cuts nothing there is no handle.
-pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: Option<f32>) -> Option<f32> {
-    let (Some(&near), Some(&far)) = (cuts.first(), cuts.last()) else { return None };
+/// Shows the split distances C_0 … C_m, metres, and returns another λ where the handle was dragged. Without `lambda` there is
+/// no handle.
+pub fn show(ui: &mut egui::Ui, distances: &[f64], lambda: Option<f32>) -> Option<f32> {
+    let (Some(&near), Some(&far)) = (distances.first(), distances.last()) else { return None };
     let size = Vec2::new(ui.available_width().max(120.0), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click_and_drag());
-    let names: Vec<String> = cuts.iter().map(|cut| format!("{cut:.1}")).collect();
-    let words = format!("cuts at {} m", names.join(", "));
+    let names: Vec<String> = distances.iter().map(|distance| format!("{distance:.1}")).collect();
+    let words = format!("split distances {} m", names.join(", "));
     response.widget_info(|| match lambda {
         Some(lambda) => egui::WidgetInfo::slider(true, f64::from(lambda), format!("{words}, λ {lambda:.2}")),
         None => egui::WidgetInfo::labeled(egui::Role::Image, true, &words),
     });
     let painter = ui.painter_at(rect);
     let inner = rect.shrink2(Vec2::new(10.0, 18.0));
-    let linear = |cut: f64| inner.left() + inner.width() * linear_place(cut, near, far) as f32;
-    let logarithmic = |cut: f64| inner.left() + inner.width() * logarithmic_place(cut, near, far) as f32;
-    for (split, pair) in cuts.windows(2).enumerate() {
+    let linear = |distance: f64| inner.left() + inner.width() * linear_place(distance, near, far) as f32;
+    let logarithmic =
+        |distance: f64| inner.left() + inner.width() * logarithmic_place(distance, near, far) as f32;
+    for (split, pair) in distances.windows(2).enumerate() {
         let corners = vec![
             pos2(linear(pair[0]), inner.top()),
             pos2(linear(pair[1]), inner.top()),
@@ -40,18 +42,19 @@ pub fn show(ui: &mut egui::Ui, cuts: &[f64], lambda: Option<f32>) -> Option<f32>
     let ink = Stroke::new(1.0, ui.visuals().text_color());
     painter.hline(inner.x_range(), inner.top(), ink);
     painter.hline(inner.x_range(), inner.bottom(), ink);
-    for cut in cuts {
-        painter.line_segment([pos2(linear(*cut), inner.top()), pos2(logarithmic(*cut), inner.bottom())], ink);
+    for &distance in distances {
+        let (above, below) = (linear(distance), logarithmic(distance));
+        painter.line_segment([pos2(above, inner.top()), pos2(below, inner.bottom())], ink);
     }
     labels(ui, &painter, inner, near, far);
     let Some(lambda) = lambda else {
-        response.on_hover_text(format!("{HELP} λ cuts where the scheme is `practical`."));
+        response.on_hover_text(format!("{HELP} λ places them where the scheme is `practical`."));
         return None;
     };
     handle(ui, &painter, inner, lambda);
     let dragged = response.dragged() || response.clicked();
     let pointer = response.interact_pointer_pos();
-    response.on_hover_text(format!("{HELP} λ = 0 cuts evenly above, λ = 1 evenly below. Drag up and down to change λ.\n\nZhang et al. 2006, eqs. 4 to 6"));
+    response.on_hover_text(format!("{HELP} They are equally far apart above for λ = 0, and below for λ = 1. Drag up and down to change λ.\n\nZhang et al. 2006, eqs. 4 to 6"));
     pointer.filter(|_| dragged).map(|at| lambda_at(at, inner)).filter(|new| *new != lambda)
 }
 
@@ -83,15 +86,15 @@ fn font(ui: &egui::Ui) -> egui::FontId {
     egui::TextStyle::Small.resolve(ui.style())
 }
 
-/// Where a distance lies on the linear scale, 0 to 1.
-fn linear_place(cut: f64, near: f64, far: f64) -> f64 {
-    ((cut - near) / (far - near).max(1e-9)).clamp(0.0, 1.0)
+/// The place of a distance on the linear scale, 0 to 1.
+fn linear_place(distance: f64, near: f64, far: f64) -> f64 {
+    ((distance - near) / (far - near).max(1e-9)).clamp(0.0, 1.0)
 }
 
-/// Where it lies on the logarithmic scale, 0 to 1.
-fn logarithmic_place(cut: f64, near: f64, far: f64) -> f64 {
+/// The place of a distance on the logarithmic scale, 0 to 1.
+fn logarithmic_place(distance: f64, near: f64, far: f64) -> f64 {
     let near = near.max(1e-6);
-    ((cut.max(near) / near).ln() / (far / near).max(1.000_001).ln()).clamp(0.0, 1.0)
+    ((distance.max(near) / near).ln() / (far / near).max(1.000_001).ln()).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
@@ -99,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn scales_end_at_the_ends_and_even_cuts_are_even_on_their_own_scale() {
+    fn scales_end_at_the_ends_and_equal_splits_are_equal_on_their_own_scale() {
         for place in [linear_place, logarithmic_place] {
             assert_eq!((place(1.0, 1.0, 1000.0), place(1000.0, 1.0, 1000.0)), (0.0, 1.0));
         }

@@ -1,23 +1,58 @@
-//! Taking things away: files beside the program, or downloads of the browser.
+//! Pictures and experiments as files: beside the program, or as downloads of the browser.
 
 use umbrage::Settings;
 use umbrage_render::Picture;
 use umbrage_scene::{Camera, Light, Scene};
 
 use crate::edit;
+use crate::load::Source;
+use crate::view_state::ViewState;
+use crate::world::World;
 
-/// What an experiment calls the camera that its world was given by the viewer.
+/// The name of the viewer's camera in the world of an experiment.
 const CAMERA: &str = "viewer";
 
-/// Writes a file whose name begins so, beside others of the kind. Gives where it went.
+/// Saves a picture as a PNG file, and returns where.
 ///
 /// # Errors
-/// When the system, or the browser, does not let it.
-pub fn save(stem: &str, extension: &str, bytes: &[u8]) -> Result<String, String> {
+/// When it has no pixels, or the file cannot be written.
+pub fn save_picture(picture: &Picture) -> Result<String, String> {
+    save("umbrage", "png", &png(picture)?)
+}
+
+/// Saves an experiment of what the view shows, and a copy of the world where its name does not say enough. Returns where the
+/// experiment is.
+///
+/// # Errors
+/// When the animation has begun, since experiments are of its start, or a file cannot be written.
+pub fn save_experiment(world: &World, view: &ViewState) -> Result<String, String> {
+    if view.seconds != 0.0 {
+        return Err("experiments are of the start of time: set the time to 0 s first".to_owned());
+    }
+    let (camera, lights) = (view.camera(), view.lights(&world.scene));
+    let experiment = Experiment {
+        world: world.source.name(),
+        scene: &world.scene,
+        camera: &camera,
+        lights: &lights,
+        settings: view.edited_settings(),
+        size: [640, 360],
+    };
+    let has_name = matches!(world.source, Source::Named(_));
+    let file = if experiment.camera_name().is_some() && has_name {
+        None
+    } else {
+        Some(save("umbrage-experiment", "glb", &experiment.world_file()?)?)
+    };
+    save("umbrage-experiment", "toml", experiment.text(file.as_deref())?.as_bytes())
+}
+
+/// Writes a file whose name starts with `stem`, beside others of the kind, and returns where.
+fn save(stem: &str, extension: &str, bytes: &[u8]) -> Result<String, String> {
     #[cfg(target_arch = "wasm32")]
     {
         let name = format!("{stem}.{extension}");
-        crate::web::download(&name, bytes)?;
+        crate::browser::download(&name, bytes)?;
         Ok(name)
     }
     #[cfg(not(target_arch = "wasm32"))]
@@ -31,11 +66,7 @@ pub fn save(stem: &str, extension: &str, bytes: &[u8]) -> Result<String, String>
     }
 }
 
-/// A picture as a PNG file.
-///
-/// # Errors
-/// When it has no pixels.
-pub fn png(picture: &Picture) -> Result<Vec<u8>, String> {
+fn png(picture: &Picture) -> Result<Vec<u8>, String> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     let Picture { width, height, rgba } = picture;
     let kind = image::ExtendedColorType::Rgba8;
@@ -44,27 +75,23 @@ pub fn png(picture: &Picture) -> Result<Vec<u8>, String> {
     Ok(bytes.into_inner())
 }
 
-/// What an experiment of one cell needs.
+/// An experiment of one picture.
 #[derive(Clone, Debug)]
-pub struct Cell<'a> {
+struct Experiment<'a> {
     /// The world's name, or the path that it came from.
-    pub world: &'a str,
-    /// What it is.
-    pub scene: &'a Scene,
-    /// From where, named as it is in the world.
-    pub camera: &'a Camera,
-    /// What shines.
-    pub lights: &'a [Light],
-    /// How shadows are made.
-    pub settings: &'a Settings,
-    /// Of the picture, pixels.
-    pub size: [u32; 2],
+    world: &'a str,
+    scene: &'a Scene,
+    camera: &'a Camera,
+    lights: &'a [Light],
+    settings: &'a Settings,
+    /// Size of the picture, pixels.
+    size: [u32; 2],
 }
 
-impl Cell<'_> {
-    /// The camera of the world that this one is, but for rounding, where the lights are the world's too: then names say
-    /// enough.
-    pub fn named(&self) -> Option<&str> {
+impl Experiment<'_> {
+    /// The name of the world's camera that this one is but for rounding; `None` where it is none of them, or the lights are
+    /// not the world's.
+    fn camera_name(&self) -> Option<&str> {
         let Camera { world_from_camera, lens, near, far, .. } = self.camera;
         let is_same = |other: &&Camera| {
             let is_there = other.world_from_camera.abs_diff_eq(*world_from_camera, 1e-4);
@@ -74,33 +101,27 @@ impl Cell<'_> {
         Some(&camera.name)
     }
 
-    /// The world with the camera and the lights, for an experiment that its name does not say enough for.
-    ///
-    /// # Errors
-    /// When the scene contradicts itself.
-    pub fn world_file(&self) -> Result<Vec<u8>, String> {
+    /// The world with the camera and the lights, as a GLB file.
+    fn world_file(&self) -> Result<Vec<u8>, String> {
         let camera = Camera { name: CAMERA.to_owned(), ..self.camera.clone() };
         let cameras = std::iter::once(camera).chain(self.scene.cameras.iter().cloned()).collect();
         let scene = Scene { cameras, lights: self.lights.to_vec(), ..self.scene.clone() };
         umbrage_scene::to_glb(&scene).map_err(|why| why.to_string())
     }
 
-    /// The experiment, for `umbrage report`. `world_file` is where the world went, where it has a file of its own.
-    ///
-    /// # Errors
-    /// Never for settings that are valid.
-    pub fn experiment(&self, world_file: Option<&str>) -> Result<String, String> {
+    /// The experiment as `umbrage report` reads it. `world_file` is where the world was saved, where it was.
+    fn text(&self, world_file: Option<&str>) -> Result<String, String> {
         let mut set = edit::file(self.settings).map_err(|why| why.to_string())?;
         set = set.replace("[shadows", "[variants.set");
         let (world, camera) = match world_file {
             Some(file) => (file, CAMERA),
-            None => (self.world, self.named().unwrap_or(CAMERA)),
+            None => (self.world, self.camera_name().unwrap_or(CAMERA)),
         };
         let [width, height] = self.size;
         let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
         Ok(format!(
             "# Run with: umbrage report THIS.toml -o DIR\n\
-             title = {title}\nsource = \"this project\"\nreported = \"A cell saved from the viewer.\"\n\
+             title = {title}\nsource = \"this project\"\nreported = \"A picture saved from the viewer.\"\n\
              worlds = [{world}]\ncameras = [{camera}]\nsize = [{width}, {height}]\n\
              columns = [\"error.mis_shadowed\", \"error.false_shadow\", \"error.false_light\", \"error.edge_displacement_px\"]\n\n\
              [[variants]]\nname = \"viewer\"\n\n{set}",
@@ -113,18 +134,16 @@ impl Cell<'_> {
 
 #[cfg(test)]
 mod tests {
-    use umbrage_lab::Experiment;
-
     use super::*;
 
     #[test]
-    fn a_cell_is_an_experiment_that_the_lab_reads() {
+    fn an_experiment_is_one_that_the_lab_reads() {
         let scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
         for preset in umbrage::PRESETS {
             let settings = (preset.settings)();
             // As the viewer has it: taken apart and put together.
             let camera = crate::flight::Flight::at(&scene.cameras[1], 10.0).camera();
-            let cell = Cell {
+            let experiment = Experiment {
                 world: "primitives",
                 scene: &scene,
                 camera: &camera,
@@ -132,14 +151,14 @@ mod tests {
                 settings: &settings,
                 size: [320, 200],
             };
-            assert_eq!(cell.named(), Some(scene.cameras[1].name.as_str()));
-            let text = cell.experiment(None).expect("an experiment");
+            assert_eq!(experiment.camera_name(), Some(scene.cameras[1].name.as_str()));
+            let text = experiment.text(None).expect("an experiment");
             let folder = tempfile::tempdir().expect("a folder");
-            let path = folder.path().join("cell.toml");
+            let path = folder.path().join("experiment.toml");
             std::fs::write(&path, &text).expect("a file");
-            let experiment = Experiment::read(&path).unwrap_or_else(|why| panic!("{why}: {text}"));
-            assert_eq!((experiment.worlds, experiment.size), (vec!["primitives".to_owned()], [320, 200]));
-            assert_eq!(experiment.ways.len(), 1, "{text}");
+            let read = umbrage_lab::Experiment::read(&path).unwrap_or_else(|why| panic!("{why}: {text}"));
+            assert_eq!((read.worlds, read.size), (vec!["primitives".to_owned()], [320, 200]));
+            assert_eq!(read.variants.len(), 1, "{text}");
         }
     }
 
@@ -148,7 +167,7 @@ mod tests {
         let scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
         let mut camera = scene.cameras[0].clone();
         camera.far *= 0.5;
-        let cell = Cell {
+        let experiment = Experiment {
             world: "primitives",
             scene: &scene,
             camera: &camera,
@@ -156,9 +175,9 @@ mod tests {
             settings: &Settings::default(),
             size: [64, 64],
         };
-        assert_eq!(cell.named(), None);
-        let bytes = cell.world_file().expect("a file");
-        let read = umbrage_scene::load_glb_bytes(&bytes, "cell").expect("a world").scene;
+        assert_eq!(experiment.camera_name(), None);
+        let bytes = experiment.world_file().expect("a file");
+        let read = umbrage_scene::load_glb_bytes(&bytes, "experiment").expect("a world").scene;
         assert_eq!((read.cameras[0].name.as_str(), read.triangles()), ("viewer", scene.triangles()));
     }
 

@@ -1,5 +1,5 @@
-//! A second instance of the program, on a thread of the browser's own: it sorts triangles while the page goes on. Nothing is
-//! shared, so any server can serve the page; triangles go over as bytes, and come back with their tree.
+//! A second instance of the program, in a worker of the browser: it builds a BVH while the page goes on. Nothing is shared,
+//! so any server can serve the page; triangles go over as bytes, and come back with their BVH.
 //!
 //! `web/worker.js` is the other end.
 
@@ -11,21 +11,21 @@ use web_sys::js_sys::{Array, Object, Promise, Reflect, Uint8Array};
 
 const SCRIPT: &str = "umbrage-worker.js";
 
-/// What the worker runs: triangles as bytes, to a world as bytes.
+/// Builds the BVH of triangles, both as bytes. The worker runs it.
 ///
 /// # Errors
 /// When the bytes are no triangles.
 #[wasm_bindgen]
-pub fn sort(triangles: &[u8]) -> Result<Vec<u8>, String> {
+pub fn build_bvh(triangles: &[u8]) -> Result<Vec<u8>, String> {
     let triangles = Triangles::from_bytes(triangles).ok_or("these are no triangles")?;
     Ok(World::build(triangles).to_bytes())
 }
 
-/// The triangles with their tree. Where the browser starts no worker, the page stands still meanwhile.
+/// Builds the BVH of triangles in a worker. Where the browser starts none, the page stands still meanwhile.
 ///
 /// # Errors
 /// When the worker dies of it, as of too many triangles: the page would, too.
-pub async fn sorted(triangles: impl Fn() -> Triangles) -> Result<World, String> {
+pub async fn build_bvh_beside(triangles: impl Fn() -> Triangles) -> Result<World, String> {
     // Only their bytes are kept while the worker is busy.
     let bytes = Uint8Array::from(triangles().to_bytes().as_slice());
     match answered(&bytes).await {
@@ -33,12 +33,10 @@ pub async fn sorted(triangles: impl Fn() -> Triangles) -> Result<World, String> 
             Ok(world) => {
                 World::from_bytes(&world.to_vec()).ok_or_else(|| "the worker's answer is no world".into())
             }
-            Err(words) => {
-                Err(format!("triangles were not sorted: {}", words.as_string().unwrap_or_default()))
-            }
+            Err(words) => Err(format!("the BVH was not built: {}", words.as_string().unwrap_or_default())),
         },
         Err(why) => {
-            web_sys::console::warn_2(&"triangles are sorted by the page itself:".into(), &why);
+            web_sys::console::warn_2(&"the page builds the BVH itself:".into(), &why);
             Ok(World::build(triangles()))
         }
     }

@@ -1,0 +1,81 @@
+//! This project's own: six ways to have shadows, each in three sizes of memory.
+
+use super::preset::Preset;
+use crate::filter::{Filter, Footprint, Pcss};
+use crate::settings::Settings;
+
+/// A way in maps of 16, 4 and 64 MiB, which have tiles of 1024, 512 and 2048 texels. Where `how` is `within`, the maps fill
+/// no more than three quarters of that.
+macro_rules! in_three_sizes {
+    ($name:literal, $how:literal, $says:literal, $settings:expr) => {
+        [
+            Preset {
+                name: $name,
+                source: concat!("this project: ", $says),
+                settings: || sized(1024, $settings),
+            },
+            Preset {
+                name: concat!($name, "-4mib"),
+                source: concat!("this project: the same ", $how, " 4 MiB"),
+                settings: || sized(512, $settings),
+            },
+            Preset {
+                name: concat!($name, "-64mib"),
+                source: concat!("this project: the same ", $how, " 64 MiB"),
+                settings: || sized(2048, $settings),
+            },
+        ]
+    };
+}
+
+/// The presets of this project, the default first.
+pub(super) const OWN: [[Preset; 3]; 6] = [
+    in_three_sizes!("default", "in", "four maps in 16 MiB, a bell of 3 × 3 lookups", Settings::default()),
+    in_three_sizes!("fast", "within", "three maps within 16 MiB, one lookup of the sampler's size", fast()),
+    in_three_sizes!(
+        "best",
+        "in",
+        "four maps in 16 MiB, all that the pixel covers, the least error against its area",
+        best()
+    ),
+    in_three_sizes!(
+        "soft",
+        "in",
+        "penumbrae of a sun of 0.53°, four maps in 16 MiB, 16 points",
+        soft(16, 16)
+    ),
+    in_three_sizes!(
+        "soft-fast",
+        "within",
+        "penumbrae of a sun of 0.53°, three maps within 16 MiB, 8 points",
+        Settings { splits: 3, ..soft(8, 8) }
+    ),
+    in_three_sizes!(
+        "soft-best",
+        "in",
+        "penumbrae of a sun of 0.53°, four maps in 16 MiB, 64 points",
+        soft(32, 64)
+    ),
+];
+
+/// Maps of so many texels a side; a soft filter reaches over a 32nd of them.
+fn sized(resolution: u32, settings: Settings) -> Settings {
+    let filter = match settings.filter {
+        Filter::Pcss(pcss) => Filter::Pcss(Pcss { max_texels: resolution as f32 / 32.0, ..pcss }),
+        other => other,
+    };
+    Settings { resolution, filter, ..settings }
+}
+
+fn fast() -> Settings {
+    Settings { splits: 3, filter: Filter::Bilinear {}, ..Settings::default() }
+}
+
+fn best() -> Settings {
+    Settings { filter: Filter::Footprint(Footprint::default()), ..Settings::default() }
+}
+
+/// The sun's own size, and so many points to search and to compare.
+fn soft(blockers: u32, taps: u32) -> Settings {
+    Settings { filter: Filter::Pcss(Pcss { blockers, taps, ..Pcss::default() }), ..Settings::default() }
+}

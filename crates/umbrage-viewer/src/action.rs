@@ -1,0 +1,60 @@
+//! What people ask the program for: by a key, a menu or a panel.
+
+use umbrage::Settings;
+
+use crate::load::Source;
+
+/// One request. Keys and panels return them, and [`crate::Viewer`] carries them out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Moves to one of the world's cameras, counted from 0.
+    GoToCamera(usize),
+    /// Switches a part of the view's state.
+    Toggle(Toggle),
+    /// Shows two sides, or one.
+    ToggleCompare,
+    /// Draws the edited side with these settings.
+    SetSettings(Box<Settings>),
+    /// Loads a world and shows it.
+    Load(Source),
+    /// Asks for a file of a world or of settings, and opens it.
+    ChooseFile,
+    /// Asks for a page that `umbrage report` has made, and opens it in the browser.
+    #[cfg(not(target_arch = "wasm32"))]
+    ChooseReport,
+    /// Copies the edited settings as TOML.
+    CopyToml,
+    /// Copies the edited settings as Rust.
+    CopyRust,
+    /// Saves the left side's picture.
+    SavePicture,
+    /// Saves an experiment of this one picture.
+    SaveExperiment,
+    /// Shows a message.
+    Say(String),
+    /// Closes the message of this number.
+    CloseMessage(usize),
+    /// Closes all messages.
+    CloseMessages,
+}
+
+/// A part of the view's state that has two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Toggle {
+    /// Flying, or orbiting.
+    Orbit,
+    /// Whether time goes on.
+    Animation,
+    /// Whether the camera follows the world's path.
+    Path,
+    /// Whether shadows stay planned for the camera as it is now.
+    FrozenCamera,
+    /// Whether the picture is compared with ground truth.
+    Truth,
+    /// Whether the window of shadow maps is open.
+    Maps,
+    /// Whether the panels are shown.
+    Panels,
+    /// Whether the list of keys is open.
+    Help,
+}

@@ -1,0 +1,148 @@
+//! One side of the picture: a renderer with its settings, and the frame that is shown.
+
+use std::collections::VecDeque;
+
+use eframe::{egui, egui_wgpu, wgpu};
+use umbrage::Settings;
+use umbrage_render::{ComingPicture, Drawn, Frame, MapLook, RenderError, Renderer, Show};
+
+use super::texture::EguiTexture;
+use crate::timings::PassTimes;
+
+/// Frames whose times may be on their way at once; of more, the newest are lost.
+const PENDING: usize = 3;
+
+/// One side.
+pub struct Side {
+    renderer: Renderer,
+    /// What is on the screen; `None` before the first picture.
+    shown: Option<Shown>,
+    /// egui's name for the picture, where egui puts it on the screen.
+    egui_texture: EguiTexture,
+    /// A place for each frame whose times have not come: how long planning took, milliseconds, or `None` where its times are
+    /// not wanted.
+    awaited: VecDeque<Option<f64>>,
+}
+
+/// A frame that was drawn with some settings; it owns its picture as long as that is shown.
+struct Shown {
+    frame: Frame,
+    settings: Settings,
+    drawn: Drawn,
+}
+
+impl Side {
+    /// Returns a side on which nothing was drawn yet.
+    pub fn new(renderer: Renderer) -> Self {
+        Self { renderer, shown: None, egui_texture: EguiTexture::default(), awaited: VecDeque::new() }
+    }
+
+    /// Returns a renderer of the same scene with other settings.
+    pub fn beside(&self, settings: Settings) -> Result<Renderer, RenderError> {
+        self.renderer.beside(settings)
+    }
+
+    pub fn set_settings(&mut self, settings: &Settings) -> Result<(), RenderError> {
+        self.renderer.set_settings(settings.clone())
+    }
+
+    /// Shows a frame, and returns whether it had to be drawn. `window` is where egui puts pictures on the screen.
+    pub fn draw(
+        &mut self,
+        frame: &Frame,
+        window: Option<&egui_wgpu::RenderState>,
+    ) -> Result<bool, RenderError> {
+        let settings = self.renderer.shadows().settings();
+        let is_wanted = |shown: &Shown| shown.frame == *frame && shown.settings == *settings;
+        if self.shown.as_ref().is_some_and(is_wanted) {
+            return Ok(false);
+        }
+        let settings = settings.clone();
+        let drawn = self.renderer.draw(frame)?;
+        let texture = drawn.shown()?;
+        if let Some(window) = window {
+            self.egui_texture.show(window, &texture);
+        }
+        self.awaited.push_back(Some(drawn.plan_milliseconds()));
+        self.shown = Some(Shown { frame: frame.clone(), settings, drawn });
+        Ok(true)
+    }
+
+    /// Draws the frame from another camera and waits: how long it took, milliseconds, and its size.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn time_alone(
+        &mut self,
+        camera: &umbrage_scene::Camera,
+    ) -> Result<Option<(f64, [u32; 2])>, RenderError> {
+        let Some(Shown { frame, .. }) = &self.shown else { return Ok(None) };
+        let size = [frame.width, frame.height];
+        let camera = umbrage_render::camera(camera, frame.width as f32 / frame.height as f32)?;
+        let frame = Frame { camera, ..frame.clone() };
+        // Times that nobody asked for would be taken for this frame's.
+        while self.renderer.pass_times().is_some() {}
+        self.awaited.clear();
+        Ok(Some((self.renderer.render(&frame)?.times.frame, size)))
+    }
+
+    /// Draws another picture of what is shown, to be read back: from its own shadow maps, where there are any.
+    pub fn request(&mut self, show: Show) -> Result<Option<ComingPicture>, RenderError> {
+        let Some(Shown { frame, drawn, .. }) = &self.shown else { return Ok(None) };
+        let beside = if !drawn.plan().views().is_empty() && self.renderer.has_maps_of(drawn) {
+            self.renderer.show(drawn, &show)?
+        } else {
+            self.renderer.draw(&Frame { show, ..frame.clone() })?
+        };
+        self.awaited.push_back(None);
+        beside.coming_picture().map(Some)
+    }
+
+    /// What came of drawing the frame that is shown.
+    pub fn drawn(&self) -> Option<&Drawn> {
+        self.shown.as_ref().map(|shown| &shown.drawn)
+    }
+
+    /// The picture on the screen.
+    pub fn texture(&self) -> Option<wgpu::TextureView> {
+        // One that cannot be shown was refused when it was drawn.
+        self.drawn()?.shown().ok()
+    }
+
+    /// egui's id of it, where egui puts it on the screen.
+    pub fn id(&self) -> Option<egui::TextureId> {
+        self.egui_texture.id()
+    }
+
+    pub fn bytes(&self) -> u64 {
+        self.renderer.shadows().bytes()
+    }
+
+    /// The shadow map of a view as a picture; `None` where the maps are not those of what is shown any more.
+    pub fn map_picture(
+        &mut self,
+        view: usize,
+        look: MapLook,
+        side_px: u32,
+    ) -> Result<Option<wgpu::TextureView>, RenderError> {
+        let Some(Shown { drawn, .. }) = &self.shown else { return Ok(None) };
+        if !self.renderer.has_maps_of(drawn) {
+            return Ok(None);
+        }
+        self.renderer.map_picture(drawn, view, look, side_px).map(Some)
+    }
+
+    pub fn times(&mut self) -> Vec<PassTimes> {
+        let mut times = Vec::new();
+        while let Some([casters, filter, shade]) = self.renderer.pass_times() {
+            if let Some(Some(plan)) = self.awaited.pop_front() {
+                times.push([plan, casters, filter, shade]);
+            }
+        }
+        // As many as the device's clock keeps; without timestamps none ever come.
+        self.awaited.truncate(PENDING);
+        times
+    }
+
+    pub fn free(self, window: &egui_wgpu::RenderState) {
+        self.egui_texture.free(window);
+    }
+}

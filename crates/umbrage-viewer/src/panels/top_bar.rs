@@ -1,0 +1,129 @@
+//! The bar at the top: worlds, cameras, and what can be exported.
+
+use eframe::egui;
+use umbrage_scene::{Scene, worlds};
+
+use crate::action::{Action, Toggle};
+use crate::flight::Motion;
+use crate::load::Source;
+use crate::session::Session;
+use crate::view_state::{PathPosition, ViewState};
+
+/// Shows the bar. `path` is the path of a world as it is typed, and `adapter` names the graphics adapter.
+pub fn show(
+    ui: &mut egui::Ui,
+    session: Option<&mut Session>,
+    path: &mut String,
+    adapter: &str,
+) -> Vec<Action> {
+    egui::MenuBar::new()
+        .ui(ui, |ui| {
+            let menu = ui.menu_button("World", |ui| world_menu(ui, path));
+            menu.response.on_hover_text("Another world, or a file of yours.");
+            let mut actions: Vec<Action> = menu.inner.flatten().into_iter().collect();
+            let Some(Session { world, view, .. }) = session else { return actions };
+            let menu = ui.menu_button("Camera", |ui| camera_menu(ui, view, &world.scene));
+            menu.response.on_hover_text("The world's cameras, flying and orbit.");
+            actions.extend(menu.inner.flatten());
+            let menu = ui.menu_button("Export", export_menu);
+            menu.response.on_hover_text("Settings, pictures and experiments to keep.");
+            actions.extend(menu.inner.flatten());
+            if ui.button("Keys").on_hover_text("Lists keys and gestures (F1).").clicked() {
+                actions.push(Action::Toggle(Toggle::Help));
+            }
+            if ui.button("Hide").on_hover_text("Hides the panels; H brings them back.").clicked() {
+                actions.push(Action::Toggle(Toggle::Panels));
+            }
+            ui.separator();
+            // Cut short rather than wider than the window.
+            let triangles = format!("{}: {} triangles", world.scene.name, world.scene.triangles());
+            ui.add(egui::Label::new(triangles).truncate());
+            ui.add(egui::Label::new(egui::RichText::new(adapter).weak()).truncate());
+            actions
+        })
+        .inner
+}
+
+fn world_menu(ui: &mut egui::Ui, path: &mut String) -> Option<Action> {
+    for world in worlds::ALL {
+        let help = format!("{}\n\n{}", world.summary, world.source);
+        if item(ui, world.name, &help) {
+            return Some(Action::Load(Source::Named(world.name.to_owned())));
+        }
+    }
+    ui.separator();
+    let help = "A .glb, .gltf or .obj, or a .toml of settings. Files can also be dropped on the window; they stay on this machine.";
+    if item(ui, "Open a file…", help) {
+        return Some(Action::ChooseFile);
+    }
+    // A page cannot read paths.
+    if cfg!(target_arch = "wasm32") { None } else { path_field(ui, path) }
+}
+
+fn path_field(ui: &mut egui::Ui, path: &mut String) -> Option<Action> {
+    let field = ui.horizontal(|ui| {
+        let label = ui.label("path");
+        ui.text_edit_singleline(path).labelled_by(label.id)
+    });
+    let typed = field.inner.on_hover_text("The path of a .glb, .gltf or .obj; Enter opens it.");
+    let is_entered = typed.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
+    is_entered.then(|| {
+        ui.close();
+        Action::Load(Source::Named(path.trim().to_owned()))
+    })
+}
+
+fn camera_menu(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Action> {
+    for (i, camera) in scene.cameras.iter().enumerate() {
+        if item(ui, &format!("{} {}", i + 1, camera.name), "One of the world's own cameras.") {
+            return Some(Action::GoToCamera(i));
+        }
+    }
+    ui.separator();
+    let mut is_orbit = view.flight.motion == Motion::Orbit;
+    let orbit = ui.checkbox(&mut is_orbit, "orbit").on_hover_text("Dragging moves around the target (O).");
+    if orbit.changed() {
+        view.flight.motion = view.flight.motion.other();
+    }
+    let mut follows = view.path.is_some();
+    let path = ui
+        .add_enabled(!scene.path.keys.is_empty(), egui::Checkbox::new(&mut follows, "follow the path"))
+        .on_hover_text("Follows the world's camera path, again and again (P).")
+        .on_disabled_hover_text("This world has no camera path.");
+    if path.changed() {
+        view.path = follows.then(PathPosition::default);
+    }
+    None
+}
+
+fn export_menu(ui: &mut egui::Ui) -> Option<Action> {
+    let help = "For `umbrage … --shadows FILE.toml`, or to drop here.";
+    if item(ui, "Copy settings as TOML", help) {
+        return Some(Action::CopyToml);
+    }
+    if item(ui, "Copy settings as Rust", "The expression that makes them, for your renderer.") {
+        return Some(Action::CopyRust);
+    }
+    ui.separator();
+    if item(ui, "Save the picture", "As umbrage.png, without panels and lines.") {
+        return Some(Action::SavePicture);
+    }
+    let help = "An experiment of this one picture, for `umbrage report`. Where the camera or the sun is not one of the world's, a copy of the world with them goes along.";
+    if item(ui, "Save as an experiment", help) {
+        return Some(Action::SaveExperiment);
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    if item(ui, "Open an experiment's page…", "A page that `umbrage report` has made, in the browser.") {
+        return Some(Action::ChooseReport);
+    }
+    None
+}
+
+/// A button of a menu, which it closes. Returns whether it was clicked.
+fn item(ui: &mut egui::Ui, name: &str, help: &str) -> bool {
+    let is_clicked = ui.button(name).on_hover_text(help).clicked();
+    if is_clicked {
+        ui.close();
+    }
+    is_clicked
+}

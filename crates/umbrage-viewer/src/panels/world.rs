@@ -1,0 +1,81 @@
+//! The world as it is seen: time of day, animation, the camera's motion, and what is drawn.
+
+use eframe::egui;
+use umbrage_scene::Scene;
+
+use crate::action::Action;
+use crate::sky;
+use crate::view_state::{PathPosition, PictureMode, ViewState, is_sun};
+
+/// Shows the panel.
+pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Action> {
+    ui.heading("World");
+    if scene.lights.iter().any(is_sun) {
+        time_of_day(ui, &mut view.hour);
+    } else {
+        ui.weak("this world has punctual lights and no sun");
+    }
+    animation(ui, view);
+    camera(ui, view);
+    let msaa = ui.checkbox(&mut view.multisampled, "multisampling");
+    msaa.on_hover_text(
+        "Four samples a pixel (MSAA), which cost a software adapter four times. Ground truth is compared at one.",
+    );
+    let mut shadows = view.mode != PictureMode::Unshadowed;
+    let box_ = ui.checkbox(&mut shadows, "shadows");
+    if box_
+        .on_hover_text("Off, no shadow map is drawn or read: the difference in time is their cost.")
+        .changed()
+    {
+        view.mode = if shadows { PictureMode::Shadows } else { PictureMode::Unshadowed };
+    }
+    let mut compare = view.compare;
+    let box_ = ui.checkbox(&mut compare, "compare two settings");
+    box_.on_hover_text("Side by side, with a divider to drag (C).").changed().then_some(Action::ToggleCompare)
+}
+
+fn time_of_day(ui: &mut egui::Ui, hour: &mut Option<f32>) {
+    let mut own = hour.is_none();
+    let box_ = ui.checkbox(&mut own, "the world's own sun");
+    if box_.on_hover_text("Off, the time of day places the sun.").changed() {
+        *hour = if own { None } else { Some(9.0) };
+    }
+    let mut shown = hour.unwrap_or(12.0);
+    let slider = egui::Slider::new(&mut shown, sky::DAY[0]..=sky::DAY[1])
+        .text("time of day")
+        .suffix(" h")
+        .max_decimals(2);
+    let help = "Places the sun as at 50° north in the middle of May: Meeus 1998, eq. 13.6.";
+    if ui.add(slider).on_hover_text(help).changed() {
+        *hour = Some(shown);
+    }
+}
+
+fn animation(ui: &mut egui::Ui, view: &mut ViewState) {
+    ui.horizontal(|ui| {
+        ui.checkbox(&mut view.playing, "animate")
+            .on_hover_text("Lets objects and lights move that do so in this world (Space).");
+        let time = egui::DragValue::new(&mut view.seconds).speed(0.05).suffix(" s").range(0.0..=86_400.0);
+        let response = ui.add(time).on_hover_text("Time of the animation, seconds from its start.");
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "time"));
+    });
+}
+
+fn camera(ui: &mut egui::Ui, view: &mut ViewState) {
+    let speed = egui::Slider::new(&mut view.flight.speed, 0.1..=500.0)
+        .logarithmic(true)
+        .text("speed")
+        .clamping(egui::SliderClamping::Edits)
+        .suffix(" m/s");
+    ui.add(speed).on_hover_text("How fast keys move the camera; Shift is four times as fast.");
+    let Some(PathPosition { along, held }) = &mut view.path else { return };
+    let mut place = *along;
+    let slider = egui::Slider::new(&mut place, 0.0..=1.0).text("along the path").max_decimals(3);
+    let help = "The camera's position on the world's path, 0 to 1. Dragging holds it there.";
+    let slider = ui.add(slider).on_hover_text(help);
+    // It also rounds what flies by.
+    if slider.dragged() || slider.has_focus() {
+        (*along, *held) = (place, true);
+    }
+    ui.checkbox(held, "hold").on_hover_text("The camera stays on the path where it is.");
+}

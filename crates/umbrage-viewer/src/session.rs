@@ -1,0 +1,172 @@
+//! What is open: a world, how it is seen, and what of it is on the device.
+
+use eframe::egui;
+use umbrage::Settings;
+use umbrage_render::{Frame, RenderError};
+
+use crate::drawing::Drawing;
+use crate::input;
+use crate::timings::Timings;
+use crate::truth::{Shot, TruthOverlay};
+use crate::view_state::ViewState;
+use crate::world::World;
+
+/// How many frames after a change of settings an error of the device is blamed on them: browsers report late.
+const TRIAL_FRAMES: u32 = 60;
+
+/// How long a flight along a world's whole path takes, seconds.
+const PATH_SECONDS: f32 = 20.0;
+
+/// A world that is open.
+#[derive(Debug)]
+pub struct Session {
+    /// The world.
+    pub world: World,
+    /// How it is seen.
+    pub view: ViewState,
+    /// Its pictures.
+    pub drawing: Drawing,
+    /// How wrong they are.
+    pub truth: TruthOverlay,
+    /// How long they take.
+    pub timings: Timings,
+    trial: Option<Trial>,
+}
+
+/// New settings that the device may still refuse.
+#[derive(Debug)]
+struct Trial {
+    /// The settings that it has drawn with.
+    before: [Settings; 2],
+    /// Frames since the change.
+    frames: u32,
+}
+
+impl Session {
+    /// Opens a world whose drawing was made for the view's settings.
+    pub fn new(world: World, view: ViewState, drawing: Drawing) -> Self {
+        let (truth, timings) = (TruthOverlay::default(), Timings::default());
+        Self { world, view, drawing, truth, timings, trial: None }
+    }
+
+    /// Draws the edited side with other settings.
+    ///
+    /// # Errors
+    /// As [`Drawing::set_settings`]; then the settings stay as they were.
+    pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
+        let before = self.view.settings.clone();
+        self.view.settings[self.view.edited] = settings;
+        match self.drawing.set_settings(self.view.sides()) {
+            Ok(()) => {
+                // Of several changes in a row the settings before the first are the ones that are known to work.
+                if self.trial.as_ref().is_none_or(|trial| trial.frames >= TRIAL_FRAMES) {
+                    self.trial = Some(Trial { before, frames: 0 });
+                }
+                Ok(())
+            }
+            Err(why) => {
+                self.view.settings = before;
+                Err(why)
+            }
+        }
+    }
+
+    /// Shows two sides, or one.
+    ///
+    /// # Errors
+    /// As [`Drawing::set_settings`]; then one is shown.
+    pub fn set_compare(&mut self, compare: bool) -> Result<(), RenderError> {
+        (self.view.compare, self.view.edited) = (compare, 0);
+        let set = self.drawing.set_settings(self.view.sides());
+        self.view.compare &= set.is_ok();
+        set
+    }
+
+    /// Counts a frame of the trial of new settings.
+    pub fn count_frame(&mut self) {
+        if let Some(trial) = &mut self.trial {
+            trial.frames += 1;
+        }
+    }
+
+    /// Goes back to the settings before, where the device refused something so soon after a change that it was them.
+    pub fn revert_refused_settings(&mut self) {
+        if let Some(Trial { before, .. }) = self.trial.take_if(|trial| trial.frames < TRIAL_FRAMES) {
+            self.view.settings = before;
+            // The device has drawn with them.
+            let _ = self.drawing.set_settings(self.view.sides());
+        }
+    }
+
+    /// Lets time go on: keys fly the camera, things move, the path is followed. Returns whether anything moves.
+    pub fn go_forward(&mut self, context: &egui::Context) -> bool {
+        let view = &mut self.view;
+        let seconds = context.input(|input| input.stable_dt.min(0.1));
+        let mut moves = input::fly(context, &mut view.flight);
+        if moves {
+            view.path = None;
+        }
+        if view.playing {
+            view.seconds += seconds;
+            moves = true;
+        }
+        if let Some(path) = &mut view.path {
+            if !path.held {
+                path.along = (path.along + seconds / PATH_SECONDS).fract();
+            }
+            match self.world.scene.path.world_from_camera(path.along) {
+                Some(world_from_camera) => view.flight.follow(world_from_camera),
+                None => view.path = None,
+            }
+            moves |= view.follows_path();
+        }
+        moves
+    }
+
+    /// Draws what changed, as a picture of so many pixels, and goes on with the comparison where nothing did.
+    ///
+    /// # Errors
+    /// When a side cannot be drawn or compared.
+    pub fn draw(&mut self, context: &egui::Context, size_px: [u32; 2]) -> Result<(), RenderError> {
+        let Self { world, view, drawing, truth, timings, trial: _ } = self;
+        let frame = view.frame(&world.scene, size_px)?;
+        let mut has_drawn = false;
+        for side in 0..drawing.sides() {
+            has_drawn |= drawing.draw(side, &Frame { show: view.mode.show(), ..frame.clone() })?;
+        }
+        let now = context.input(|input| input.time);
+        for side in 0..drawing.sides() {
+            // Those of the right side are taken too, so that they do not pile up.
+            let times = drawing.times(side);
+            if side == 0 {
+                times.into_iter().for_each(|times| timings.push(now, times));
+            }
+        }
+        if !view.compares_with_truth() {
+            truth.stop();
+            return Ok(());
+        }
+        let (camera, lights) = (view.camera(), view.lights(&world.scene));
+        let shot = Shot { camera, lights, frame, settings: view.sides().to_vec() };
+        // While the picture changes, nothing is traced: it would slow it, and be thrown away.
+        if has_drawn {
+            truth.wait(&shot);
+            return Ok(());
+        }
+        // As far as both sides have shadows: what one leaves out is not the other's fault.
+        let ends = (0..drawing.sides()).filter_map(|side| drawing.plan(side)?.splits().last().copied());
+        let distance = ends.fold(f64::INFINITY, f64::min);
+        truth.advance(context, drawing, &world.scene, &shot, distance)
+    }
+
+    /// Gives up what cannot be drawn, so that it is not tried again with every frame.
+    pub fn give_up(&mut self) {
+        self.truth.stop();
+        self.view.truth = false;
+    }
+
+    /// What the comparison waits for, in words for people.
+    pub fn waits_for(&self) -> Option<&str> {
+        self.truth.waits_for().filter(|_| self.view.truth)
+    }
+}

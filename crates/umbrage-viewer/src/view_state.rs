@@ -1,0 +1,186 @@
+//! What the picture depends on beside the world: camera, time, settings and what is drawn. It outlives a lost device.
+
+use umbrage::Settings;
+use umbrage_render::{Frame, MapLook, Mark, RenderError, Show};
+use umbrage_scene::{Camera, Light, LightKind, Scene};
+
+use crate::flight::Flight;
+use crate::lines::PlanLines;
+use crate::sky;
+
+/// What the picture shows of the world's surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PictureMode {
+    /// The world with its shadows.
+    #[default]
+    Shadows,
+    /// The world without shadows.
+    Unshadowed,
+    /// The world with a property of its shadow maps drawn onto it.
+    Marked(Mark),
+}
+
+impl PictureMode {
+    /// The renderer's word for it.
+    pub fn show(self) -> Show {
+        match self {
+            Self::Shadows => Show::World,
+            Self::Unshadowed => Show::Unshadowed,
+            Self::Marked(mark) => Show::Marked(mark),
+        }
+    }
+}
+
+/// The state of the view: everything that widgets, keys and the pointer change.
+#[derive(Clone, Debug)]
+pub struct ViewState {
+    /// Shadow settings of the left and of the right side.
+    pub settings: [Settings; 2],
+    /// Whether two sides are compared; the left one is shown alone where not.
+    pub compare: bool,
+    /// The side that the panel of settings edits: 0 is the left one, 1 the right one.
+    pub edited: usize,
+    /// Where the right side begins, as a share of the picture's width, 0 to 1.
+    pub divider: f32,
+    /// What the picture shows.
+    pub mode: PictureMode,
+    /// Which parts of the shadow plan are drawn as lines.
+    pub lines: PlanLines,
+    /// The camera that shadows stay planned for; the picture's own where absent.
+    pub frozen_camera: Option<Camera>,
+    /// Whether the picture is compared with ray-traced ground truth.
+    pub truth: bool,
+    /// Whether the window of shadow maps is open.
+    pub maps: bool,
+    /// How the shadow maps are shown.
+    pub map_look: MapLook,
+    /// The hour of the day that places the sun, local solar time; the world's own sun where absent.
+    pub hour: Option<f32>,
+    /// Time of the animation, seconds from its start.
+    pub seconds: f32,
+    /// Whether time goes on.
+    pub playing: bool,
+    /// The camera's position on the world's path; absent where it flies freely.
+    pub path: Option<PathPosition>,
+    /// Whether a pixel has four samples (MSAA) instead of one.
+    pub multisampled: bool,
+    /// The camera, and how it answers the pointer.
+    pub flight: Flight,
+    /// Whether the panels are shown.
+    pub panels: bool,
+    /// Whether the window that lists the keys is open.
+    pub help: bool,
+}
+
+/// A position on a camera path. The default is its start, in motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PathPosition {
+    /// The share of the path that lies behind the camera, 0 to 1.
+    pub along: f32,
+    /// Whether the camera stays there.
+    pub held: bool,
+}
+
+impl ViewState {
+    /// Returns the view of a world that is shown for the first time, from `camera` or the world's first one.
+    pub fn new(scene: &Scene, settings: Settings, camera: Option<&Camera>) -> Self {
+        Self {
+            settings: [settings.clone(), settings],
+            compare: false,
+            edited: 0,
+            divider: 0.5,
+            mode: PictureMode::Shadows,
+            lines: PlanLines::default(),
+            frozen_camera: None,
+            truth: false,
+            maps: false,
+            // What is drawn lies within a few hundredths of the range, where all greys are alike.
+            map_look: MapLook { stretch: true, ..MapLook::default() },
+            hour: None,
+            seconds: 0.0,
+            playing: false,
+            path: None,
+            multisampled: true,
+            flight: flight_at(scene, camera),
+            panels: true,
+            help: false,
+        }
+    }
+
+    /// Returns the same view of another world: what belongs to a place or a time starts anew.
+    #[must_use]
+    pub fn moved_to(&self, scene: &Scene) -> Self {
+        let flight = self.flight.moved_to(flight_at(scene, None));
+        Self { flight, frozen_camera: None, hour: None, seconds: 0.0, path: None, ..self.clone() }
+    }
+
+    /// Moves to a camera of the scene, and leaves the path.
+    pub fn go_to(&mut self, scene: &Scene, camera: &Camera) {
+        self.flight = self.flight.moved_to(flight_at(scene, Some(camera)));
+        self.path = None;
+    }
+
+    /// The settings of each side that is shown: one, or two.
+    pub fn sides(&self) -> &[Settings] {
+        &self.settings[..if self.compare { 2 } else { 1 }]
+    }
+
+    /// The settings that the panel edits.
+    pub fn edited_settings(&self) -> &Settings {
+        &self.settings[self.edited]
+    }
+
+    /// The world's lights, at most [`umbrage::MAX_LIGHTS`], with the sun where the chosen hour puts it.
+    pub fn lights(&self, scene: &Scene) -> Vec<Light> {
+        let mut lights: Vec<Light> = scene.lights.iter().take(umbrage::MAX_LIGHTS).cloned().collect();
+        if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(|light| is_sun(light))) {
+            sun.world_from_light = Light::sun(sky::sunlight(hour), 1.0).world_from_light;
+        }
+        lights
+    }
+
+    /// Whether the camera moves along the path.
+    pub fn follows_path(&self) -> bool {
+        self.path.is_some_and(|path| !path.held)
+    }
+
+    /// Whether the picture is compared with ground truth now. A picture planned for another camera is not.
+    pub fn compares_with_truth(&self) -> bool {
+        self.truth && self.frozen_camera.is_none()
+    }
+
+    /// The camera that the picture is seen from.
+    pub fn camera(&self) -> Camera {
+        self.flight.camera()
+    }
+
+    /// The frame that the renderer draws for a picture of `width` by `height` pixels, shaded with shadows whatever
+    /// [`Self::mode`] is.
+    ///
+    /// # Errors
+    /// When a camera or a light cannot be one of the renderer's.
+    pub fn frame(&self, scene: &Scene, [width, height]: [u32; 2]) -> Result<Frame, RenderError> {
+        let lights = self.lights(scene);
+        let frame = Frame::of(&self.camera(), &lights, self.seconds, [width, height], Show::World)?;
+        let frozen = self.frozen_camera.as_ref();
+        let planned_for =
+            frozen.map(|camera| umbrage_render::camera(camera, width as f32 / height as f32)).transpose()?;
+        Ok(Frame { planned_for, samples: if self.multisampled { 4 } else { 1 }, ..frame })
+    }
+}
+
+/// Whether a light is directional.
+pub fn is_sun(light: &Light) -> bool {
+    light.kind == LightKind::Directional
+}
+
+/// A flight that starts at a camera, the scene's first where none is given, and looks as far as the scene's middle.
+fn flight_at(scene: &Scene, camera: Option<&Camera>) -> Flight {
+    let bounds = scene.bounds_at(0.0);
+    let middle = (bounds.min + bounds.max) * 0.5;
+    let fallback = Camera::looking("camera", bounds.max, middle, 1.0, 0.1, 1000.0);
+    let camera = camera.or(scene.cameras.first()).unwrap_or(&fallback);
+    let size = (bounds.max - bounds.min).max_element().max(1e-3);
+    let ahead = (middle - camera.eye()).dot(camera.forward());
+    Flight::at(camera, ahead.clamp(0.02 * size, 0.5 * size))
+}

@@ -1,0 +1,74 @@
+//! What each event does.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use eframe::egui;
+use umbrage_render::Picture;
+use umbrage_scene::Imported;
+
+use super::Viewer;
+use crate::event::Event;
+use crate::load::{self, Source};
+use crate::{edit, export, files};
+
+impl Viewer {
+    /// Opens a file by its name and bytes: settings or a world.
+    pub fn open(&mut self, context: &egui::Context, name: &str, bytes: Vec<u8>) {
+        if load::extension(Path::new(name)) != "toml" {
+            return self.load(context, Source::Bytes { name: name.to_owned(), bytes });
+        }
+        match edit::from_file(name, &String::from_utf8_lossy(&bytes)) {
+            Ok(settings) => self.set_settings(settings),
+            Err(why) => self.messages.say(format!("{why}; the settings stay as they were")),
+        }
+    }
+
+    /// Handles what came since the last frame.
+    pub(super) fn poll(&mut self, context: &egui::Context) {
+        if let Some(session) = &mut self.session {
+            session.count_frame();
+            if self.tasks.saving.is_some() {
+                session.drawing.poll();
+            }
+        }
+        let mut events = self.tasks.poll();
+        let errors = self.device_errors.take();
+        // A lost device closes the window, which says so.
+        if !errors.is_empty() && self.lost().is_none() {
+            events.push(Event::DeviceErrors(errors));
+        }
+        events.extend(files::take_dropped(context, &mut self.tasks));
+        for event in events {
+            self.handle(context, event);
+        }
+    }
+
+    fn handle(&mut self, context: &egui::Context, event: Event) {
+        match event {
+            Event::Loaded(source, imported) => {
+                let Imported { scene, warnings } = *imported;
+                self.open_world(source, Arc::new(scene));
+                warnings.into_iter().for_each(|warning| self.messages.say(warning));
+            }
+            Event::Opened(Source::Bytes { name, bytes }) => self.open(context, &name, bytes),
+            Event::Opened(source @ Source::Named(_)) => self.load(context, source),
+            Event::PictureRead(picture) => {
+                let saved = picture.and_then(|picture: Picture| export::save_picture(&picture));
+                self.messages.say(match saved {
+                    Ok(path) => format!("saved {path}"),
+                    Err(why) => format!("the picture was not saved: {why}"),
+                });
+            }
+            Event::DeviceErrors(errors) => {
+                if let Some(session) = &mut self.session {
+                    session.revert_refused_settings();
+                }
+                for error in errors {
+                    self.messages.say(format!("the graphics device refused: {error}"));
+                }
+            }
+            Event::Failed(why) => self.messages.say(why),
+        }
+    }
+}
