@@ -7,7 +7,7 @@ use umbrage_core::{
 
 use crate::constants::Constant;
 use crate::format::{MomentFormat, TexelFormat, TextureSupport};
-use crate::link;
+use crate::modules;
 
 /// Everything that the texts of receivers, and of the steps before them, depend on: choices among modules, and numbers. Equal keys
 /// give equal texts.
@@ -82,7 +82,7 @@ impl ShaderKey {
             ("umbrage_gradient", compare),
             ("umbrage_normal_offset", compare),
             ("umbrage_tap", if by_texel { "sampling/tap_one" } else { "sampling/tap_four" }),
-            ("umbrage_filter", link::filter_module(self.filter, by_texel)),
+            ("umbrage_filter", modules::filter_module(self.filter, by_texel)),
         ];
         choices.extend(self.stored.as_ref().and_then(Stored::read_by).map(|by| ("umbrage_moments_at", by)));
         choices
@@ -106,7 +106,7 @@ impl Stored {
                 (texel, StoredLayout::Sums { format })
             }
         };
-        Some(Self { module: link::moments_module(texel.moments), layout })
+        Some(Self { module: modules::moments_module(texel.moments), layout })
     }
 
     /// The module that looks moments up.

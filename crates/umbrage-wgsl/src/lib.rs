@@ -29,6 +29,7 @@ mod format;
 mod frame;
 mod key;
 mod link;
+mod modules;
 mod shared;
 mod steps;
 mod texts;

@@ -11,8 +11,7 @@
 //! [`ShaderKey`]: crate::ShaderKey
 
 use crate::error::ImportError;
-
-include!(concat!(env!("OUT_DIR"), "/modules.rs"));
+use crate::modules::{MODULES, declares, parse};
 
 /// What a text is made of.
 #[derive(Clone, Copy, Default)]
@@ -107,47 +106,6 @@ impl<'a> Linker<'a> {
     fn find(&self, name: &str) -> Option<(&'a str, &'a str)> {
         self.recipe.replaced.iter().chain(MODULES).find(|(known, _)| *known == name).copied()
     }
-}
-
-/// A filter's module is the file of its kind; where each texel is compared by itself the one for that, if there is one. Every kind
-/// has a file, as a test holds.
-pub(crate) fn filter_module(kind: &str, by_texel: bool) -> &'static str {
-    let alone = by_texel.then(|| module(&format!("filter/{kind}_by_texel"))).flatten();
-    alone.or_else(|| module(&format!("filter/{kind}"))).unwrap_or("filter/hard")
-}
-
-/// The module of moments is the file of their name. All have a file, as a test holds.
-pub(crate) fn moments_module(name: &str) -> &'static str {
-    module(&format!("moments/{name}")).unwrap_or("moments/vsm")
-}
-
-/// The name of a module of ours, for as long as the program runs.
-pub(crate) fn module(name: &str) -> Option<&'static str> {
-    MODULES.iter().find(|(known, _)| *known == name).map(|(known, _)| *known)
-}
-
-/// From `import a::b::{c, d};` to `a::b`, and `c` and `d`.
-fn parse(line: &str) -> Option<(&str, Vec<&str>)> {
-    let (from, names) = line.strip_prefix("import ")?.strip_suffix(';')?.rsplit_once("::")?;
-    let names = names.strip_prefix('{').map_or(Some(names), |names| names.strip_suffix('}'))?;
-    Some((from, names.split(',').map(str::trim).collect()))
-}
-
-/// Whether a text declares a name.
-fn declares(text: &str, name: &str) -> bool {
-    text.lines().any(|line| declared_name(line) == Some(name))
-}
-
-/// The name that a line declares at the outermost level of a text.
-pub(crate) fn declared_name(line: &str) -> Option<&str> {
-    if line.starts_with([' ', '/', '}']) {
-        return None;
-    }
-    let after = |kind: &str| line.split_once(kind).map(|(_, rest)| rest);
-    let rest = ["fn ", "struct ", "const ", "var "].into_iter().find_map(after);
-    // `var<storage, read> name`
-    let rest = rest.or_else(|| after("var<")?.split_once("> ").map(|(_, rest)| rest))?;
-    rest.split(|c: char| !c.is_alphanumeric() && c != '_').next()
 }
 
 #[cfg(test)]

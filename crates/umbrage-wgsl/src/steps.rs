@@ -6,7 +6,8 @@ use crate::binding::{Binding, BindingKind, Dimension, SampleType, Stages};
 use crate::constants::lines;
 use crate::format::{MomentFormat, TexelFormat};
 use crate::key::{ShaderKey, StoredLayout};
-use crate::link::{Recipe, link, moments_module};
+use crate::link::{Recipe, link};
+use crate::modules::moments_module;
 use crate::texts::said;
 
 /// A compute step that reads one texture and writes another.

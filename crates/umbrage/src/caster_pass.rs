@@ -1,10 +1,9 @@
 //! Pipelines that draw casters: depth only, with the settings' raster bias and faces.
 
-use umbrage_core::{CasterFaces, DepthFormat, DepthLayer, Settings};
+use umbrage_core::{CasterFaces, CasterKey};
 
 use umbrage_wgsl::peel;
 
-use crate::capabilities::Capabilities;
 use crate::maps::texture_format;
 
 /// The caller's half of a caster pipeline: how vertices reach world space.
@@ -22,32 +21,7 @@ pub struct CasterVertex<'a> {
     pub front_face: wgpu::FrontFace,
 }
 
-/// What caster pipelines depend on, of the settings and the device.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct CasterKey {
-    depth: DepthFormat,
-    faces: CasterFaces,
-    raster_constant: i32,
-    raster_slope: f32,
-    unclipped_depth: bool,
-    /// Whether there is a second surface.
-    has_second: bool,
-}
-
-impl CasterKey {
-    pub fn of(settings: &Settings, capabilities: Capabilities) -> Self {
-        Self {
-            depth: settings.depth,
-            faces: settings.bias.casters,
-            raster_constant: settings.bias.raster_constant,
-            raster_slope: settings.bias.raster_slope,
-            unclipped_depth: settings.flattens_casters() && capabilities.unclipped_depth,
-            has_second: settings.bias.depth_layer != DepthLayer::First,
-        }
-    }
-}
-
-/// One that draws casters; where it `peels`, without the first surface, which is then bound in group 0 too.
+/// One that draws casters, on a device that can do what the key asks for; where it `peels`, without the first surface, which is then bound in group 0 too.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
     key: CasterKey,
@@ -84,7 +58,7 @@ pub(crate) fn pipeline(
                 CasterFaces::Front => Some(wgpu::Face::Back),
                 CasterFaces::Back => Some(wgpu::Face::Front),
             },
-            unclipped_depth: key.unclipped_depth,
+            unclipped_depth: key.flattens,
             ..wgpu::PrimitiveState::default()
         },
         depth_stencil: Some(wgpu::DepthStencilState {

@@ -1,18 +1,17 @@
 //! The façade: what a renderer holds to have shadows.
 
+mod access;
+mod drawing;
+
 use umbrage_core::{
-    Allocation, Bounds, Camera, Light, MapLayout, MapTexels, PICTURE_SIZE, PlanError, Settings, ShadowPlan,
-    ShadowView, plan,
+    Allocation, Bounds, Camera, Light, PICTURE_SIZE, PlanError, Settings, ShadowPlan, ShadowView, plan,
 };
-use umbrage_wgsl::{FrameBytes, ShaderKey, receiver};
+use umbrage_wgsl::{FrameBytes, ShaderKey};
 
 use crate::capabilities::Capabilities;
-use crate::caster_pass::{self, CasterKey, CasterVertex};
-use crate::casting::Casting;
 use crate::changed::Changed;
 use crate::error::ShadowError;
-use crate::frame::offset;
-use crate::maps::{Maps, check_size};
+use crate::maps::check_size;
 use crate::objects::Objects;
 use crate::parts::{Parts, Wanted};
 use crate::supported::{allocation, check};
@@ -115,7 +114,7 @@ impl Shadows {
         let parts = Parts::new(&objects, wanted, Some(&self.parts));
         let changed = Changed {
             maps: parts.has_other_maps(&self.parts),
-            casters: CasterKey::of(&settings, capabilities) != CasterKey::of(&self.settings, capabilities),
+            casters: settings.caster_key() != self.settings.caster_key(),
             receivers: key != self.key || settings.contact != self.settings.contact,
             objects: objects.made(),
         };
@@ -175,210 +174,6 @@ impl Shadows {
         let frame = self.bytes.write(plan, &self.settings, self.parts.maps.size(), self.picture_size);
         queue.write_buffer(&self.parts.buffers.frame, 0, frame);
         Ok(())
-    }
-
-    /// Begins to draw all views of a plan, in one render pass where their tiles lie in one layer, and in one a view otherwise. With
-    /// a `bias.depth_layer` other than the first, [`Self::cast_second`] follows.
-    ///
-    /// # Errors
-    /// As [`Self::upload`].
-    pub fn cast<'a>(
-        &'a self,
-        encoder: &'a mut wgpu::CommandEncoder,
-        plan: &'a ShadowPlan,
-    ) -> Result<Casting<'a>, ShadowError> {
-        self.cast_timed(encoder, plan, None)
-    }
-
-    /// Casts as [`Self::cast`] does, and writes timestamps as the first pass begins and as the last one ends.
-    ///
-    /// # Errors
-    /// As [`Self::upload`].
-    pub fn cast_timed<'a>(
-        &'a self,
-        encoder: &'a mut wgpu::CommandEncoder,
-        plan: &'a ShadowPlan,
-        timestamps: Option<wgpu::RenderPassTimestampWrites<'a>>,
-    ) -> Result<Casting<'a>, ShadowError> {
-        self.check_plan(plan)?;
-        let group = &self.parts.buffers.caster_group;
-        Ok(Casting::new(encoder, self.drawn(), group, plan.views(), timestamps))
-    }
-
-    /// Begins to draw all views of a plan once more where `bias.depth_layer` asks for a second surface, with the pipeline of
-    /// [`Self::second_caster_pipeline`], after [`Self::cast`]. `None` where it does not.
-    ///
-    /// # Errors
-    /// As [`Self::upload`].
-    pub fn cast_second<'a>(
-        &'a self,
-        encoder: &'a mut wgpu::CommandEncoder,
-        plan: &'a ShadowPlan,
-        timestamps: Option<wgpu::RenderPassTimestampWrites<'a>>,
-    ) -> Result<Option<Casting<'a>>, ShadowError> {
-        self.check_plan(plan)?;
-        let casting = |layers: &'a crate::layers::Layers| {
-            Casting::new(encoder, &layers.second, &layers.peel_group, plan.views(), timestamps)
-        };
-        Ok(self.parts.layers.as_ref().map(casting))
-    }
-
-    /// Begins a pass that draws one view's casters: its tile is empty, viewport, scissor and group 0 are set. Views may be drawn in
-    /// any order, and those that are not drawn keep what they show. With a `bias.depth_layer` other than the first, draw each view
-    /// once more: see [`Self::begin_second`].
-    ///
-    /// # Errors
-    /// When the view lies outside of these maps, as one of a plan that was made for others may.
-    pub fn begin<'e>(
-        &self,
-        encoder: &'e mut wgpu::CommandEncoder,
-        view: &ShadowView,
-        timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
-    ) -> Result<wgpu::RenderPass<'e>, ShadowError> {
-        self.check_view(view)?;
-        let mut pass = self.drawn().begin(encoder, view, timestamps);
-        pass.set_bind_group(0, &self.parts.buffers.caster_group, &[offset(view)]);
-        Ok(pass)
-    }
-
-    /// Begins the pass that draws one view's casters once more where `bias.depth_layer` asks for a second surface, with the pipeline
-    /// of [`Self::second_caster_pipeline`], after the view's first pass. `None` where it does not.
-    ///
-    /// # Errors
-    /// As [`Self::begin`].
-    pub fn begin_second<'e>(
-        &self,
-        encoder: &'e mut wgpu::CommandEncoder,
-        view: &ShadowView,
-        timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
-    ) -> Result<Option<wgpu::RenderPass<'e>>, ShadowError> {
-        self.check_view(view)?;
-        let Some(layers) = &self.parts.layers else { return Ok(None) };
-        let mut pass = layers.second.begin(encoder, view, timestamps);
-        pass.set_bind_group(0, &layers.peel_group, &[offset(view)]);
-        Ok(Some(pass))
-    }
-
-    /// Makes of the casters that were drawn what lookups read: the surface between two layers, moments, sums. Call it
-    /// after the last view; for filters that read depths it does nothing.
-    ///
-    /// # Errors
-    /// As [`Self::upload`].
-    pub fn finish(&self, encoder: &mut wgpu::CommandEncoder, plan: &ShadowPlan) -> Result<(), ShadowError> {
-        self.finish_timed(encoder, plan, None)
-    }
-
-    /// Finishes as [`Self::finish`] does, and writes timestamps where [`Self::has_filter_pass`].
-    ///
-    /// # Errors
-    /// As [`Self::upload`].
-    pub fn finish_timed(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        plan: &ShadowPlan,
-        timestamp_writes: Option<wgpu::ComputePassTimestampWrites<'_>>,
-    ) -> Result<(), ShadowError> {
-        self.check_plan(plan)?;
-        if let Some(layers) = &self.parts.layers {
-            layers.join(encoder, &self.parts.maps, plan);
-        }
-        if let Some(filtered) = &self.parts.filtered {
-            let label = Some("Shadows::filter_pass");
-            let descriptor = wgpu::ComputePassDescriptor { label, timestamp_writes };
-            filtered.record(&mut encoder.begin_compute_pass(&descriptor), plan);
-        }
-        Ok(())
-    }
-
-    /// Whether [`Self::finish`] has something to compute.
-    pub fn has_filter_pass(&self) -> bool {
-        self.parts.filtered.is_some()
-    }
-}
-
-/// What a host needs for its own pipelines.
-impl Shadows {
-    /// A depth-only pipeline for the caller's vertices, with the settings' raster bias and faces.
-    pub fn caster_pipeline(&self, device: &wgpu::Device, vertex: &CasterVertex<'_>) -> wgpu::RenderPipeline {
-        let key = CasterKey::of(&self.settings, self.capabilities);
-        caster_pass::pipeline(device, key, &self.parts.caster_layout, vertex, false)
-    }
-
-    /// The same for [`Self::cast_second`] and [`Self::begin_second`]; `None` where there is no second surface.
-    pub fn second_caster_pipeline(
-        &self,
-        device: &wgpu::Device,
-        vertex: &CasterVertex<'_>,
-    ) -> Option<wgpu::RenderPipeline> {
-        let key = CasterKey::of(&self.settings, self.capabilities);
-        let layout = &self.parts.layers.as_ref()?.peel_layout;
-        Some(caster_pass::pipeline(device, key, layout, vertex, true))
-    }
-
-    /// WGSL to put in front of a shader that asks for visibility; its bindings are group `group` of the pipeline: see
-    /// [`receiver`](umbrage_wgsl::receiver).
-    pub fn wgsl(&self, group: u32) -> String {
-        receiver(&self.key, group)
-    }
-
-    /// What the text of [`Self::wgsl`] depends on.
-    pub fn key(&self) -> &ShaderKey {
-        &self.key
-    }
-
-    /// The layout of [`Self::bind_group`].
-    pub fn bind_group_layout(&self) -> &wgpu::BindGroupLayout {
-        &self.parts.receiver_layout.layout
-    }
-
-    /// What a shader that asks for visibility reads.
-    pub fn bind_group(&self) -> &wgpu::BindGroup {
-        &self.parts.receiver_group
-    }
-
-    /// The settings in force; `unclipped_depth` is off where the device does not support it.
-    pub fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    /// Bytes of everything that lookups read and that it is made from: maps, second surfaces, moments, sums, scratch.
-    pub fn bytes(&self) -> u64 {
-        self.parts.bytes()
-    }
-
-    /// How the maps lie in their texture; says how many texels and bytes they are.
-    pub fn layout(&self) -> MapLayout {
-        self.parts.maps.layout
-    }
-
-    /// All layers of the maps, as `texture_depth_2d_array`: to look at, or to read in a shader of your own.
-    pub fn maps(&self) -> &wgpu::TextureView {
-        &self.parts.maps.all
-    }
-
-    /// What [`Self::upload`] writes, as the storage buffer `umbrage_frame` of [`map_wgsl`](crate::map_wgsl): for a shader of your own.
-    pub fn frame(&self) -> &wgpu::Buffer {
-        &self.parts.buffers.frame
-    }
-
-    /// Copies all maps to the CPU, and waits for them.
-    ///
-    /// # Errors
-    /// When the device is lost, or this adapter cannot copy depth (GL).
-    pub fn read_maps(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<MapTexels, ShadowError> {
-        if !self.capabilities.read_back {
-            return Err(ShadowError::Unsupported {
-                what: "reading shadow maps back",
-                missing: "copies of depth textures",
-                remedy: "use a Vulkan, Metal, DX12 or WebGPU adapter",
-            });
-        }
-        self.parts.maps.read(device, queue)
-    }
-
-    /// The maps that casters are drawn into first.
-    fn drawn(&self) -> &Maps {
-        self.parts.layers.as_ref().map_or(&self.parts.maps, |layers| &layers.first)
     }
 
     fn check_view(&self, view: &ShadowView) -> Result<(), ShadowError> {

@@ -59,7 +59,7 @@ fn is_kind(kind: BindingKind, space: naga::AddressSpace, ty: &naga::TypeInner) -
             of && *dim == ImageDimension::D2 && *arrayed == (dimension == Dimension::D2Array)
         }
         (BindingKind::StorageTexture { format }, TypeInner::Image { class, .. }) => {
-            let wanted = format!("{:?}", format);
+            let wanted = format!("{format:?}");
             matches!(class, ImageClass::Storage { format, .. } if format!("{format:?}") == wanted)
         }
         _ => false,

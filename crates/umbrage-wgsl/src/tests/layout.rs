@@ -2,7 +2,7 @@
 
 use encase::ShaderType;
 use glam::Vec3;
-use umbrage_core::{Contact, Disc, Filter, Light, NoiseSource, Settings};
+use umbrage_core::{Bounds, Camera, Contact, Disc, Filter, Light, NoiseSource, Projection, Settings, plan};
 
 use crate::shared::fields_in_shader;
 use crate::*;
@@ -62,4 +62,22 @@ fn kinds_of_lights_shades_and_noises_have_the_numbers_that_shaders_know_them_by(
     let text = receiver(&key(NoiseSource::None), 0);
     assert_eq!(frame::ABSENCE, constant(&text, "UMBRAGE_SHADE_ABSENCE"));
     assert_eq!(frame::COLOUR, constant(&text, "UMBRAGE_SHADE_COLOUR"));
+}
+
+#[test]
+fn frames_after_the_first_are_written_into_the_bytes_of_the_first() {
+    let settings = Settings::default();
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+    let camera = Camera::looking(Vec3::ONE, Vec3::ZERO, Vec3::Y, projection, 0.5, 60.0).unwrap();
+    let bounds = Bounds::of_world(Vec3::splat(-9.0), Vec3::splat(9.0));
+    let lights = [Light::directional(Vec3::new(0.1, -1.0, 0.2)).unwrap()];
+    let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
+    let mut bytes = FrameBytes::default();
+    let mut write = || {
+        let written = bytes.write(&plan, &settings, [1024; 2], [640, 360]);
+        (written.as_ptr(), written.len())
+    };
+    let first = write();
+    assert_eq!(first.1 as u64, FrameBytes::size(4));
+    assert_eq!([write(), write()], [first; 2]);
 }

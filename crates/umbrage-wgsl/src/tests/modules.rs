@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::combinations::{filters, keys};
-use crate::link::{self, MODULES, Recipe, link};
+use crate::link::{Recipe, link};
+use crate::modules::{self, MODULES};
 use crate::*;
 
 /// Our own names in a text, without its comments.
@@ -15,7 +16,7 @@ fn names(text: &str) -> BTreeSet<&str> {
 
 /// What a text declares at its outermost level.
 fn declared(text: &str) -> BTreeSet<String> {
-    let module = |line: &str| link::declared_name(line).map(str::to_owned);
+    let module = |line: &str| modules::declared_name(line).map(str::to_owned);
     text.lines().filter_map(module).collect()
 }
 
@@ -48,7 +49,7 @@ fn no_name_is_declared_twice_in_a_text() {
     for (what, key) in keys() {
         let text = receiver(&key, 0);
         let mut seen = BTreeSet::new();
-        for name in text.lines().filter_map(link::declared_name) {
+        for name in text.lines().filter_map(modules::declared_name) {
             assert!(seen.insert(name), "{what}: {name}");
         }
     }
@@ -63,7 +64,7 @@ fn every_filter_has_a_module_of_its_kind_and_every_module_is_used() {
     };
     for filter in filters() {
         let name = format!("filter/{}", filter.kind());
-        assert!(link::module(&name).is_some(), "shaders/{name}.wgsl");
+        assert!(modules::module(&name).is_some(), "shaders/{name}.wgsl");
     }
     for (_, key) in keys() {
         mark(&receiver(&key, 0));
@@ -72,9 +73,8 @@ fn every_filter_has_a_module_of_its_kind_and_every_module_is_used() {
     }
     let others = [caster(0), clear(), peel(), map(), contact(&umbrage_core::Contact::default(), 0)];
     others.iter().for_each(|text| mark(text));
-    for layer in [umbrage_core::DepthLayer::Second] {
-        mark(&join(layer).unwrap());
-    }
+    use umbrage_core::DepthLayer::{Dual, Midpoint, Second};
+    [Second, Midpoint, Dual].iter().for_each(|layer| mark(&join(*layer).unwrap()));
     for (name, source) in MODULES {
         assert!(used.contains(name) || declared(source).is_empty(), "nothing uses shaders/{name}.wgsl");
     }

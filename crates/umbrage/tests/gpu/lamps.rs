@@ -42,7 +42,7 @@ fn shines(light: &Light, query: &Query) -> Option<DVec3> {
             )
         }
         LightKind::Point { position, range } => (position, from(position).length() < f64::from(range)),
-        _ => return None,
+        LightKind::Directional { .. } => return None,
     };
     let faces = query.normal.as_dvec3().dot(-from(position).normalize_or_zero()) > 0.05;
     (is_inside && faces).then_some(position.as_dvec3())

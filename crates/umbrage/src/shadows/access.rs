@@ -1,0 +1,88 @@
+//! What a host needs for its own pipelines, and to look into the maps.
+
+use umbrage_core::{MapLayout, MapTexels, Settings};
+use umbrage_wgsl::{ShaderKey, receiver};
+
+use super::Shadows;
+use crate::caster_pass::{self, CasterVertex};
+use crate::error::ShadowError;
+
+impl Shadows {
+    /// A depth-only pipeline for the caller's vertices, with the settings' raster bias and faces.
+    pub fn caster_pipeline(&self, device: &wgpu::Device, vertex: &CasterVertex<'_>) -> wgpu::RenderPipeline {
+        let key = self.settings.caster_key();
+        caster_pass::pipeline(device, key, &self.parts.caster_layout, vertex, false)
+    }
+
+    /// The same for [`Self::cast_second`] and [`Self::begin_second`]; `None` where there is no second surface.
+    pub fn second_caster_pipeline(
+        &self,
+        device: &wgpu::Device,
+        vertex: &CasterVertex<'_>,
+    ) -> Option<wgpu::RenderPipeline> {
+        let key = self.settings.caster_key();
+        let layout = &self.parts.layers.as_ref()?.peel_layout;
+        Some(caster_pass::pipeline(device, key, layout, vertex, true))
+    }
+
+    /// WGSL to put in front of a shader that asks for visibility; its bindings are group `group` of the pipeline: see
+    /// [`receiver`](umbrage_wgsl::receiver).
+    pub fn wgsl(&self, group: u32) -> String {
+        receiver(&self.key, group)
+    }
+
+    /// What the text of [`Self::wgsl`] depends on.
+    pub fn key(&self) -> &ShaderKey {
+        &self.key
+    }
+
+    /// The layout of [`Self::bind_group`].
+    pub fn bind_group_layout(&self) -> &wgpu::BindGroupLayout {
+        &self.parts.receiver_layout.layout
+    }
+
+    /// What a shader that asks for visibility reads.
+    pub fn bind_group(&self) -> &wgpu::BindGroup {
+        &self.parts.receiver_group
+    }
+
+    /// The settings in force; `unclipped_depth` is off where the device does not support it.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Bytes of everything that lookups read and that it is made from: maps, second surfaces, moments, sums, scratch.
+    pub fn bytes(&self) -> u64 {
+        self.parts.bytes()
+    }
+
+    /// How the maps lie in their texture; says how many texels and bytes they are.
+    pub fn layout(&self) -> MapLayout {
+        self.parts.maps.layout
+    }
+
+    /// All layers of the maps, as `texture_depth_2d_array`: to look at, or to read in a shader of your own.
+    pub fn maps(&self) -> &wgpu::TextureView {
+        &self.parts.maps.all
+    }
+
+    /// What [`Self::upload`] writes, as the storage buffer `umbrage_frame` of [`map_wgsl`](crate::map_wgsl): for a shader of your own.
+    pub fn frame(&self) -> &wgpu::Buffer {
+        &self.parts.buffers.frame
+    }
+
+    /// Copies all maps to the CPU, and waits for them.
+    ///
+    /// # Errors
+    /// When the device is lost, or this adapter cannot copy depth (GL).
+    pub fn read_maps(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<MapTexels, ShadowError> {
+        if !self.capabilities.read_back {
+            return Err(ShadowError::Unsupported {
+                what: "reading shadow maps back",
+                missing: "copies of depth textures",
+                remedy: "use a Vulkan, Metal, DX12 or WebGPU adapter",
+            });
+        }
+        self.parts.maps.read(device, queue)
+    }
+}
