@@ -3,36 +3,24 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use toml::{Table, Value};
 use umbrage::Settings;
-use umbrage_lab::settings;
+use umbrage_lab::settings::Layers;
 
 use crate::args::ShadowArgs;
 use crate::failure::{Failure, Outcome};
 
 /// The settings that the command line asks for, checked.
 pub fn resolve(args: &ShadowArgs) -> Outcome<Settings> {
-    let mut table = settings::preset(&args.preset).map_err(Failure::usage)?;
+    let mut layers = Layers::preset(&args.preset).map_err(Failure::usage)?;
     if let Some(path) = &args.shadows {
-        settings::overlay(&mut table, from_file(path)?);
+        let text =
+            std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+        layers = layers.file(&path.display().to_string(), &text).map_err(Failure::usage)?;
     }
     for words in &args.set {
-        let set = settings::from_words(words).map_err(|why| Failure::usage(format!("--set {why}")))?;
-        settings::overlay(&mut table, set);
+        layers = layers.words(words).map_err(|why| Failure::usage(format!("--set {why}")))?;
     }
-    settings::checked(table).map_err(Failure::usage)
-}
-
-/// The table `[shadows]` of a file.
-fn from_file(path: &Path) -> Outcome<Table> {
-    let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let file: Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| Failure::usage(format!("{}, in {}", e.message(), path.display())))?;
-    match file.get("shadows") {
-        Some(Value::Table(shadows)) => Ok(shadows.clone()),
-        _ => Err(Failure::usage(format!("there is no table [shadows] in {}", path.display()))),
-    }
+    layers.settings().map_err(Failure::usage)
 }
 
 #[cfg(test)]
@@ -51,6 +39,15 @@ mod tests {
         std::fs::write(&path, "[shadows]\nsplits = 2\nlambda = 0.25\n").unwrap();
         let settings = with("ferko-pssm-3x512", Some(&path), &["lambda=0.75"]).unwrap();
         assert_eq!((settings.splits, settings.lambda, settings.resolution), (2, 0.75, 512));
+    }
+
+    #[test]
+    fn a_file_of_before_is_refused_with_key_line_and_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.toml");
+        std::fs::write(&path, "[shadows.bias]\nlayer = \"second\"\n").unwrap();
+        let text = with("default", Some(&path), &[]).expect_err("an old name").to_string();
+        assert_eq!(text, format!("line 2, `bias.layer` is now `bias.depth_layer`, in {}", path.display()));
     }
 
     #[test]
