@@ -7,7 +7,8 @@ use cargo_metadata::{DependencyKind, MetadataCommand};
 /// A crate of ours, and everything it may depend on outside its tests.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("umbrage-core", &["arrayvec", "glam", "serde"]),
-    ("umbrage", &["umbrage-core", "wgpu", "encase", "bytemuck", "thiserror", "glam"]),
+    ("umbrage-wgsl", &["umbrage-core", "encase", "thiserror", "glam"]),
+    ("umbrage", &["umbrage-core", "umbrage-wgsl", "wgpu", "thiserror", "glam"]),
     (
         "umbrage-scene",
         &[

@@ -12,7 +12,7 @@ use glam::Vec3;
 
 pub use draw::{DemoArgs, RenderArgs, ViewArgs};
 pub use measure::{BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
-pub use print::{PlanArgs, PresetsArgs, WorldsArgs, WorldsCommand};
+pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WorldsArgs, WorldsCommand};
 
 /// Real-time shadows for large worlds: draw them, plan them, compare them, time them.
 #[derive(Debug, Parser)]
@@ -38,6 +38,8 @@ pub enum Command {
     View(ViewArgs),
     /// Runs an experiment, and writes its page, its figures as JSON and CSV, and every single result
     Report(ReportArgs),
+    /// Lists the settings, or says what one of them does
+    Settings(SettingsArgs),
     /// Lists the built-in worlds, or writes one as a .glb
     Worlds(WorldsArgs),
     /// Lists the graphics adapters here, the preferred one first

@@ -8,6 +8,7 @@ mod plan;
 mod presets;
 mod render;
 mod report;
+mod settings;
 #[cfg(feature = "window")]
 mod view;
 #[cfg(not(feature = "window"))]
@@ -28,6 +29,7 @@ pub fn run(command: Command) -> Outcome {
         Command::Report(args) => report::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::View(args) => view::run(&args),
+        Command::Settings(args) => settings::run(&args),
         Command::Worlds(args) => worlds::run(&args),
         Command::Adapters => adapters::run(),
         Command::Presets(args) => presets::run(&args),

@@ -12,6 +12,7 @@ mod contact_sheet;
 mod failure;
 mod label;
 mod output;
+mod pages;
 mod progress;
 mod settings;
 mod world;

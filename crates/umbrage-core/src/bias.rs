@@ -33,7 +33,7 @@ pub struct BiasMetres {
 }
 
 /// The depth that each texel around a receiver is compared with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CompareDepth {
     /// It is the depth that the receiver's own plane has at the texel's centre.
     Plane,

@@ -295,7 +295,8 @@ mod tests {
     #[test]
     fn boxes_move_with_what_moves_and_come_back() {
         let mut scene = scene();
-        let axis = umbrage_scene::Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
+        let axis =
+            umbrage_scene::Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
         scene.instances[1].motion = axis;
         let mut table = PartTable::new(&scene);
         let start = table.bounds().clone();

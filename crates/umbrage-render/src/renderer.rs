@@ -5,7 +5,7 @@ mod maps;
 
 use std::sync::Arc;
 
-use umbrage::{ConvexVolume, Light, Settings, Shadows};
+use umbrage::{Casting, Changed, ConvexVolume, Light, Settings, ShadowError, Shadows};
 use umbrage_scene::Scene;
 use web_time::{Duration, Instant};
 
@@ -97,17 +97,19 @@ impl Renderer {
     /// # Errors
     /// As [`Self::new`]; then the settings stay as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
-        let shadows = self.gpu.allocate("the shadow maps", || Shadows::new(&self.gpu.device, settings))?;
-        self.use_shadows(shadows);
+        let mut shadows = self.shadows.clone();
+        let set = || shadows.set_settings(&self.gpu.device, settings);
+        let changed = self.gpu.allocate("the shadow maps", set)?;
+        self.use_shadows(shadows, changed);
         Ok(())
     }
 
-    /// Takes other maps, and makes anew what is made for them.
-    fn use_shadows(&mut self, shadows: Shadows) {
-        self.casters = Casters::new(&self.gpu, &self.scene, &shadows);
-        // Layouts of the same bindings are one layout, so that pipelines go on where the text is the same.
-        let text = |shadows: &Shadows| (shadows.wgsl(1), shadows.settings().contact);
-        if text(&shadows) != text(&self.shadows) {
+    /// Takes other shadows, and makes anew what no longer fits them.
+    fn use_shadows(&mut self, shadows: Shadows, changed: Changed) {
+        if changed.casters {
+            self.casters = Casters::new(&self.gpu, &self.scene, &shadows);
+        }
+        if changed.receivers {
             self.shading.forget_receivers();
             self.query = None;
         }
@@ -183,11 +185,12 @@ impl Renderer {
             self.lights.extend(frame.lights.iter().map(|light| light.light));
         }
         // Not only enough room: what a frame's maps cost should not depend on the frames before.
-        if !self.lights.is_empty() && !self.shadows.is_as_large_as(&self.lights)? {
-            let settings = self.shadows.settings().clone();
-            let make = || Shadows::for_lights(&self.gpu.device, settings, &self.lights);
-            let shadows = self.gpu.allocate("the shadow maps", make)?;
-            self.use_shadows(shadows);
+        let allocation = self.shadows.allocation();
+        if !self.lights.is_empty() && !allocation.serves(self.shadows.settings(), &self.lights) {
+            let mut shadows = self.shadows.clone();
+            let make = || shadows.allocate(&self.gpu.device, &self.lights);
+            let changed = self.gpu.allocate("the shadow maps", make)?;
+            self.use_shadows(shadows, changed);
         }
         self.make_picture_ready(&frame.show, [frame.width, frame.height], frame.samples)
     }
@@ -208,7 +211,7 @@ impl Renderer {
     fn cast(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let planned = self.plan(frame)?;
         self.maps = planned.maps;
-        self.draw_casters(&planned);
+        self.draw_casters(&planned)?;
         Ok(planned)
     }
 
@@ -249,35 +252,43 @@ impl Renderer {
         };
         let planned = self.plans.filled(make, fill)?;
         self.shadows.set_picture_size(frame.width, frame.height);
-        self.shadows.upload(&self.gpu.queue, &planned.plan);
+        self.shadows.upload(&self.gpu.queue, &planned.plan)?;
         Ok(planned)
     }
 
-    fn draw_casters(&self, planned: &Planned) {
+    fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {
         let Self { gpu, scene, shadows, casters, timer, .. } = self;
         let Planned { plan, lists, numbers, .. } = planned;
         let mut encoder = gpu.encoder("Renderer::casters");
-        for (i, view) in plan.views().iter().enumerate() {
-            timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
-                let mut pass = shadows.begin_timed(encoder, view, timestamps);
-                casters.record(&mut pass, Surface::First, scene, &numbers.buffer, lists.view(i));
-            });
-            if casters.has_second() {
-                timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
-                    if let Some(mut pass) = shadows.begin_second(encoder, view, timestamps) {
-                        casters.record(&mut pass, Surface::Second, scene, &numbers.buffer, lists.view(i));
-                    }
-                });
+        let draw = |mut casting: Casting<'_>, surface: Surface| {
+            while let Some((pass, view)) = casting.next_view() {
+                casters.record(pass, surface, scene, &numbers.buffer, lists.view(view.index));
             }
+        };
+        // A timer whose passes never begin would wait for them.
+        if !plan.views().is_empty() {
+            timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
+                shadows.cast_timed(encoder, plan, timestamps).map(|casting| draw(casting, Surface::First))
+            })?;
+        }
+        if casters.has_second() && !plan.views().is_empty() {
+            timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
+                let casting = shadows.cast_second(encoder, plan, timestamps)?;
+                casting.map_or(Ok(()), |casting| {
+                    draw(casting, Surface::Second);
+                    Ok::<_, ShadowError>(())
+                })
+            })?;
         }
         if shadows.has_filter_pass() {
             timer.compute_pass(FILTER, &mut encoder, |encoder, timestamps| {
-                shadows.finish_timed(encoder, plan, timestamps);
-            });
+                shadows.finish_timed(encoder, plan, timestamps)
+            })?;
         } else {
-            shadows.finish(&mut encoder, plan);
+            shadows.finish(&mut encoder, plan)?;
         }
         gpu.queue.submit([encoder.finish()]);
+        Ok(())
     }
 
     /// Draws a picture of a frame whose maps are drawn.

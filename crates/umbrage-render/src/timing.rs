@@ -70,35 +70,37 @@ impl PassTimer {
     }
 
     /// Runs `record` with the timestamps of a pass labelled `label`, if there are any.
-    pub fn pass(
+    pub fn pass<R>(
         &self,
         label: &str,
         encoder: &mut wgpu::CommandEncoder,
-        record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::RenderPassTimestampWrites<'_>>),
-    ) {
+        record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::RenderPassTimestampWrites<'_>>) -> R,
+    ) -> R {
         match &self.profiler {
             None => record(encoder, None),
             Some(profiler) => {
                 let query = profiler.begin_pass_query(label, encoder);
-                record(encoder, query.render_pass_timestamp_writes());
+                let recorded = record(encoder, query.render_pass_timestamp_writes());
                 profiler.end_query(encoder, query);
+                recorded
             }
         }
     }
 
     /// The same for a compute pass.
-    pub fn compute_pass(
+    pub fn compute_pass<R>(
         &self,
         label: &str,
         encoder: &mut wgpu::CommandEncoder,
-        record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::ComputePassTimestampWrites<'_>>),
-    ) {
+        record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::ComputePassTimestampWrites<'_>>) -> R,
+    ) -> R {
         match &self.profiler {
             None => record(encoder, None),
             Some(profiler) => {
                 let query = profiler.begin_pass_query(label, encoder);
-                record(encoder, query.compute_pass_timestamp_writes());
+                let recorded = record(encoder, query.compute_pass_timestamp_writes());
                 profiler.end_query(encoder, query);
+                recorded
             }
         }
     }

@@ -62,14 +62,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mine = my_pipeline(&device, &module(&[&shadows.wgsl(0), &my_camera, MY_SCENE, MY_SHADING]), &shadows);
     let (colour, depth) = (my_target(&device, COLOUR), my_target(&device, DEPTH));
     let plan = shadows.plan(&camera, &lights, &bounds)?;
-    shadows.upload(&queue, &plan);
+    shadows.upload(&queue, &plan)?;
     let mut encoder = device.create_command_encoder(&Default::default());
-    for view in plan.views() {
-        let mut pass = shadows.begin(&mut encoder, view); // n maps …
+    let mut casting = shadows.cast(&mut encoder, &plan)?; // n maps …
+    while let Some((pass, _view)) = casting.next_view() {
         pass.set_pipeline(&casters);
         pass.draw(0..36, 0..144);
     }
-    shadows.finish(&mut encoder, &plan);
+    drop(casting);
+    shadows.finish(&mut encoder, &plan)?;
     let (view, depth) = (&colour.create_view(&Default::default()), depth.create_view(&Default::default()));
     let (load, store) = (wgpu::LoadOp::Clear(wgpu::Color::WHITE), wgpu::StoreOp::Store);
     let (ops, far) = (wgpu::Operations { load, store }, wgpu::LoadOp::Clear(0.0));

@@ -1,100 +1,92 @@
-//! What receivers' shaders read: the frame, the maps, and what a filter has made of them.
+//! The bindings of `umbrage-wgsl`, as wgpu has them.
 
-use umbrage_core::{Filter, Prefilter};
+use umbrage_wgsl::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages, TexelFormat};
 
-use crate::capabilities::Capabilities;
-use crate::compute::{DEPTH_MAPS, frame_entry};
-use crate::prefilter::MomentFormat;
+use crate::objects::Objects;
 
-/// What is bound.
-pub(crate) struct Read<'a> {
-    pub frame: &'a wgpu::Buffer,
-    pub maps: &'a wgpu::TextureView,
-    /// Moments or sums, where the filter has them.
-    pub filtered: Option<&'a wgpu::TextureView>,
-}
-
-/// The layout of group `group` of [`crate::receiver_wgsl`].
-pub(crate) fn layout(
-    device: &wgpu::Device,
-    filter: &Filter,
-    capabilities: Capabilities,
+/// The layout of a group with these bindings.
+pub(crate) fn group_layout(
+    objects: &Objects<'_>,
+    label: &str,
+    bindings: &[Binding],
 ) -> wgpu::BindGroupLayout {
-    let visibility = wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE;
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
-    let array_of = |sample_type| wgpu::BindingType::Texture {
-        sample_type,
-        view_dimension: wgpu::TextureViewDimension::D2Array,
-        multisampled: false,
+    let entry = |binding: &Binding| wgpu::BindGroupLayoutEntry {
+        binding: binding.binding,
+        visibility: stages(binding.stages),
+        ty: kind(binding.kind),
+        count: None,
     };
-    let mut entries = vec![
-        frame_entry(visibility),
-        entry(1, DEPTH_MAPS),
-        entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
-    ];
-    if let Some(MomentFormat { is_filterable: filterable, .. }) = MomentFormat::of(filter, capabilities) {
-        entries.push(entry(3, array_of(wgpu::TextureSampleType::Float { filterable })));
-        if filterable {
-            entries.push(entry(4, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)));
-        }
-    } else if !filter.compares_depths() {
-        entries.push(entry(3, array_of(wgpu::TextureSampleType::Uint)));
-    }
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("Shadows::receiver_layout"),
-        entries: &entries,
-    })
+    let entries: Vec<_> = bindings.iter().map(entry).collect();
+    objects.group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }
 
-/// What is bound to that layout.
-pub(crate) fn group(
-    device: &wgpu::Device,
+/// A group that binds these, at 0 and on.
+pub(crate) fn group<'a>(
+    objects: &Objects<'_>,
+    label: &str,
     layout: &wgpu::BindGroupLayout,
-    filter: &Filter,
-    capabilities: Capabilities,
-    read: &Read<'_>,
+    resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
 ) -> wgpu::BindGroup {
-    let comparison = comparison_sampler(device, filter);
-    let format = MomentFormat::of(filter, capabilities);
-    let smooth = smooth_sampler(device, &format.map(|format| format.prefilter).unwrap_or_default());
-    let mut resources = vec![
-        read.frame.as_entire_binding(),
-        wgpu::BindingResource::TextureView(read.maps),
-        wgpu::BindingResource::Sampler(&comparison),
-    ];
-    resources.extend(read.filtered.map(wgpu::BindingResource::TextureView));
-    if format.is_some_and(|format| format.is_filterable) {
-        resources.push(wgpu::BindingResource::Sampler(&smooth));
-    }
     let entries: Vec<_> =
         (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("Shadows::receiver_group"),
-        layout,
-        entries: &entries,
-    })
+    objects.group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }
 
-/// Lit where the reference is not greater than what is stored.
-fn comparison_sampler(device: &wgpu::Device, filter: &Filter) -> wgpu::Sampler {
-    let mode = if filter.is_bilinear() { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
-    device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("Shadows::comparison_sampler"),
-        mag_filter: mode,
-        min_filter: mode,
-        compare: Some(wgpu::CompareFunction::LessEqual),
-        ..Default::default()
-    })
+fn stages(stages: Stages) -> wgpu::ShaderStages {
+    match stages {
+        Stages::Vertex => wgpu::ShaderStages::VERTEX,
+        Stages::Fragment => wgpu::ShaderStages::FRAGMENT,
+        Stages::VertexAndFragment => wgpu::ShaderStages::VERTEX_FRAGMENT,
+        Stages::Compute => wgpu::ShaderStages::COMPUTE,
+        Stages::FragmentAndCompute => wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE,
+    }
 }
 
-/// For moments.
-fn smooth_sampler(device: &wgpu::Device, prefilter: &Prefilter) -> wgpu::Sampler {
-    device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("Shadows::smooth_sampler"),
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        anisotropy_clamp: if prefilter.mip_levels > 1 { prefilter.anisotropy as u16 } else { 1 },
-        ..Default::default()
-    })
+fn kind(kind: BindingKind) -> wgpu::BindingType {
+    let buffer =
+        |ty, has_dynamic_offset| wgpu::BindingType::Buffer { ty, has_dynamic_offset, min_binding_size: None };
+    match kind {
+        BindingKind::Storage => buffer(wgpu::BufferBindingType::Storage { read_only: true }, false),
+        BindingKind::Uniform { has_dynamic_offset } => {
+            buffer(wgpu::BufferBindingType::Uniform, has_dynamic_offset)
+        }
+        BindingKind::Texture { sample, dimension } => wgpu::BindingType::Texture {
+            sample_type: match sample {
+                SampleType::Depth => wgpu::TextureSampleType::Depth,
+                SampleType::FilterableFloat => wgpu::TextureSampleType::Float { filterable: true },
+                SampleType::Float => wgpu::TextureSampleType::Float { filterable: false },
+                SampleType::Uint => wgpu::TextureSampleType::Uint,
+            },
+            view_dimension: match dimension {
+                Dimension::D2 => wgpu::TextureViewDimension::D2,
+                Dimension::D2Array => wgpu::TextureViewDimension::D2Array,
+            },
+            multisampled: false,
+        },
+        BindingKind::StorageTexture { format } => wgpu::BindingType::StorageTexture {
+            access: wgpu::StorageTextureAccess::WriteOnly,
+            format: texel_format(format),
+            view_dimension: wgpu::TextureViewDimension::D2,
+        },
+        BindingKind::Sampler(SamplerKind::Comparison) => {
+            wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)
+        }
+        BindingKind::Sampler(SamplerKind::Filtering) => {
+            wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)
+        }
+    }
+}
+
+/// The format of a texture of moments or sums.
+pub(crate) fn texel_format(format: TexelFormat) -> wgpu::TextureFormat {
+    match format {
+        TexelFormat::R32Float => wgpu::TextureFormat::R32Float,
+        TexelFormat::Rg32Float => wgpu::TextureFormat::Rg32Float,
+        TexelFormat::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
+        TexelFormat::Rg16Float => wgpu::TextureFormat::Rg16Float,
+        TexelFormat::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        TexelFormat::Rgba16Unorm => wgpu::TextureFormat::Rgba16Unorm,
+        TexelFormat::Rg32Uint => wgpu::TextureFormat::Rg32Uint,
+        TexelFormat::Rgba32Uint => wgpu::TextureFormat::Rgba32Uint,
+    }
 }

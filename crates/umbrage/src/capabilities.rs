@@ -1,5 +1,7 @@
 //! What this adapter allows, in one place.
 
+use umbrage_wgsl::TextureSupport;
+
 /// What differs between adapters, as far as shadows care.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capabilities {
@@ -16,7 +18,7 @@ pub struct Capabilities {
     /// Compute shaders write textures of two 16-bit floats; otherwise of four.
     pub writes_two_float16: bool,
     /// A texture with fewer layers than this cannot be bound as an array.
-    pub(crate) least_layers: u32,
+    pub(crate) min_layers: u32,
 }
 
 /// What wgpu calls the right to use formats as the adapter has them, and not only as every adapter does.
@@ -31,8 +33,14 @@ impl Capabilities {
         filters_float32: true,
         has_unorm16: true,
         writes_two_float16: true,
-        least_layers: 1,
+        min_layers: 1,
     };
+
+    /// What shader texts and formats depend on.
+    pub fn textures(self) -> TextureSupport {
+        let Self { filters_float32, has_unorm16, writes_two_float16, .. } = self;
+        TextureSupport { filters_float32, has_unorm16, writes_two_float16 }
+    }
 
     /// What a device can do, from the features it was made with.
     pub fn of(device: &wgpu::Device) -> Self {
@@ -46,7 +54,7 @@ impl Capabilities {
             has_unorm16: features.contains(wgpu::Features::TEXTURE_FORMAT_16BIT_NORM),
             writes_two_float16: features.contains(AS_THE_ADAPTER_HAS_THEM),
             // GL knows a texture of one layer as 2-D, and refuses to bind it as an array.
-            least_layers: if is_gl { 2 } else { 1 },
+            min_layers: if is_gl { 2 } else { 1 },
         }
     }
 

@@ -1,10 +1,10 @@
 //! Pipelines that draw casters: depth only, with the settings' raster bias and faces.
 
-use umbrage_core::{CasterFaces, Settings};
+use umbrage_core::{CasterFaces, DepthFormat, DepthLayer, Settings};
+
+use umbrage_wgsl::peel;
 
 use crate::capabilities::Capabilities;
-use crate::compute::{frame_entry, view_entry};
-use crate::layers::peel_wgsl;
 use crate::maps::texture_format;
 
 /// The caller's half of a caster pipeline: how vertices reach world space.
@@ -22,19 +22,35 @@ pub struct CasterVertex<'a> {
     pub front_face: wgpu::FrontFace,
 }
 
-/// Group 0 of every caster pipeline: the frame, and the index of the view at a dynamic offset.
-pub(crate) fn bind_group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("Shadows::caster_layout"),
-        entries: &[frame_entry(wgpu::ShaderStages::VERTEX), view_entry(wgpu::ShaderStages::VERTEX)],
-    })
+/// What caster pipelines depend on, of the settings and the device.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct CasterKey {
+    depth: DepthFormat,
+    faces: CasterFaces,
+    raster_constant: i32,
+    raster_slope: f32,
+    unclipped_depth: bool,
+    /// Whether there is a second surface.
+    has_second: bool,
+}
+
+impl CasterKey {
+    pub fn of(settings: &Settings, capabilities: Capabilities) -> Self {
+        Self {
+            depth: settings.depth,
+            faces: settings.bias.casters,
+            raster_constant: settings.bias.raster_constant,
+            raster_slope: settings.bias.raster_slope,
+            unclipped_depth: settings.flattens_casters() && capabilities.unclipped_depth,
+            has_second: settings.bias.depth_layer != DepthLayer::First,
+        }
+    }
 }
 
 /// One that draws casters; where it `peels`, without the first surface, which is then bound in group 0 too.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
-    settings: &Settings,
-    capabilities: Capabilities,
+    key: CasterKey,
     group: &wgpu::BindGroupLayout,
     vertex: &CasterVertex<'_>,
     peels: bool,
@@ -42,7 +58,7 @@ pub(crate) fn pipeline(
     let peel = peels.then(|| {
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("Shadows::peel"),
-            source: wgpu::ShaderSource::Wgsl(peel_wgsl().into()),
+            source: wgpu::ShaderSource::Wgsl(peel().into()),
         })
     });
     let CasterVertex { module, entry_point, buffers, bind_group_layouts, front_face } = *vertex;
@@ -63,22 +79,22 @@ pub(crate) fn pipeline(
         },
         primitive: wgpu::PrimitiveState {
             front_face,
-            cull_mode: match settings.bias.casters {
+            cull_mode: match key.faces {
                 CasterFaces::Both => None,
                 CasterFaces::Front => Some(wgpu::Face::Back),
                 CasterFaces::Back => Some(wgpu::Face::Front),
             },
-            unclipped_depth: settings.flattens_casters() && capabilities.unclipped_depth,
+            unclipped_depth: key.unclipped_depth,
             ..wgpu::PrimitiveState::default()
         },
         depth_stencil: Some(wgpu::DepthStencilState {
-            format: texture_format(settings.depth),
+            format: texture_format(key.depth),
             depth_write_enabled: Some(true),
             depth_compare: Some(wgpu::CompareFunction::LessEqual),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState {
-                constant: settings.bias.raster_constant,
-                slope_scale: settings.bias.raster_slope,
+                constant: key.raster_constant,
+                slope_scale: key.raster_slope,
                 clamp: 0.0,
             },
         }),

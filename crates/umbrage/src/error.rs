@@ -1,6 +1,8 @@
 //! What can go wrong between settings and an adapter.
 
-use umbrage_core::SettingsError;
+use std::sync::Arc;
+
+use umbrage_core::{MapLayout, Settings, SettingsError, Tile};
 
 /// Why there are no shadows.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -11,7 +13,7 @@ pub enum ShadowError {
     Settings(#[from] SettingsError),
     /// The maps are larger than the adapter's textures may be.
     #[error(
-        "shadow maps of {width} x {height} texels in {layers} layers exceed this adapter's {most} x {most} in {most_layers}; lower `resolution` or `splits`, or change `storage`"
+        "shadow maps of {width} x {height} texels in {layers} layers exceed this adapter's {max} x {max} in {max_layers}; lower `resolution` or `splits`, or change `storage`"
     )]
     TooLarge {
         /// Wanted width, texels.
@@ -21,12 +23,12 @@ pub enum ShadowError {
         /// Wanted layers.
         layers: u32,
         /// The adapter's largest side, texels.
-        most: u32,
-        /// The adapter's most layers.
-        most_layers: u32,
+        max: u32,
+        /// The adapter's largest number of layers.
+        max_layers: u32,
     },
-    /// A setting needs what this adapter has not.
-    #[error("{what} needs {missing}, which this adapter has not; {remedy}")]
+    /// The adapter does not support what a setting asks for.
+    #[error("{what} needs {missing}, which this adapter does not support; {remedy}")]
     Unsupported {
         /// The setting.
         what: &'static str,
@@ -36,24 +38,77 @@ pub enum ShadowError {
         remedy: &'static str,
     },
     /// More lights than a plan holds, or none.
-    #[error("shadows need 1 to {most} lights, got {got}")]
+    #[error("shadows need 1 to {max} lights, got {got}")]
     Lights {
         /// How many were asked for.
         got: usize,
         /// How many there may be.
-        most: usize,
+        max: usize,
     },
     /// The copy of the maps does not fit a buffer of this adapter.
     #[error(
-        "a copy of the shadow maps takes {bytes} bytes; this adapter's buffers hold {most}; lower `resolution`"
+        "a copy of the shadow maps takes {bytes} bytes; this adapter's buffers hold {max}; lower `resolution`"
     )]
     CopyTooLarge {
         /// How many bytes it needs.
         bytes: u64,
         /// How many there may be.
-        most: u64,
+        max: u64,
+    },
+    /// A plan was made with other settings than those in force.
+    #[error(
+        "the plan was made with `{got}`, and these shadows have `{wanted}`; plan with Shadows::plan after the settings have changed"
+    )]
+    OtherSettings {
+        /// The first setting that differs, as these shadows have it.
+        wanted: String,
+        /// The same as the plan has it.
+        got: String,
+    },
+    /// A view does not belong to these maps: its plan was made for others.
+    #[error(
+        "view {index} with a tile of {} texels at {}, {} in layer {} does not belong to these shadows, which have {max} views in maps of {} x {} texels in {} layers; upload and draw a plan that they made themselves",
+        tile.size, tile.x, tile.y, tile.layer, layout.width, layout.height, layout.layers
+    )]
+    View {
+        /// The view's place in its plan.
+        index: usize,
+        /// How many views these shadows have room for.
+        max: u32,
+        /// Where the view's tile lies.
+        tile: Tile,
+        /// How these maps lie.
+        layout: MapLayout,
     },
     /// The maps could not be read back.
-    #[error("the shadow maps could not be read back: {0}")]
-    ReadBack(String),
+    #[error("the shadow maps could not be read back")]
+    ReadBack(#[source] DeviceError),
+}
+
+impl ShadowError {
+    /// Names the first setting in which two differ.
+    pub(crate) fn other_settings(wanted: &Settings, got: &Settings) -> Self {
+        let (wanted, got) = (format!("{wanted:#?}"), format!("{got:#?}"));
+        let lines = wanted.lines().zip(got.lines()).find(|(wanted, got)| wanted != got);
+        let (wanted, got) = lines.unwrap_or(("other settings", "settings"));
+        let said = |line: &str| line.trim().trim_end_matches(',').to_owned();
+        Self::OtherSettings { wanted: said(wanted), got: said(got) }
+    }
+}
+
+/// What the device says of its failure.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct DeviceError(#[source] Arc<dyn std::error::Error + Send + Sync>);
+
+impl DeviceError {
+    pub(crate) fn new(error: impl std::error::Error + Send + Sync + 'static) -> Self {
+        Self(Arc::new(error))
+    }
+}
+
+impl PartialEq for DeviceError {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }

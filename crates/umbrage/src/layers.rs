@@ -4,17 +4,20 @@
 //! triangle over every tile writes what is stored. Sources: Wang & Molnar 1994 (second depth), Woo 1992 (midpoint), Weiskopf
 //! & Ertl 2003 (dual), Everitt 2001 (peeling).
 
-use umbrage_core::{DepthLayer, MapLayout, Settings, ShadowPlan, ShadowView};
+use umbrage_core::{DepthLayer, ShadowPlan};
+use umbrage_wgsl::{join, join_bindings, peel_bindings};
 
+use crate::bindings;
 use crate::capabilities::Capabilities;
-use crate::compute::{DEPTH_MAPS, Inputs, frame_and_view, frame_entry, view_entry};
-use crate::maps::{Maps, texture_format};
-use crate::shadows::VIEW_INDEX_STRIDE;
-use crate::wgsl::{DEPTH, FRAME};
+use crate::depth_pipeline::{DepthPipeline, depth_pipeline};
+use crate::frame::{FrameBuffers, offset};
+use crate::maps::Maps;
+use crate::objects::Objects;
 
 /// The two surfaces, and what joins them.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Layers {
+    depth_layer: DepthLayer,
     pub first: Maps,
     pub second: Maps,
     /// Group 0 of a caster pipeline that peels: as ever, and the first surface.
@@ -25,37 +28,46 @@ pub(crate) struct Layers {
 }
 
 impl Layers {
-    /// For maps that lie so; `None` where only the first surface is asked for.
+    /// For maps that lie as these; `None` where only the first surface is asked for.
     pub fn new(
-        inputs: Inputs<'_>,
-        settings: &Settings,
+        objects: &Objects<'_>,
+        buffers: &FrameBuffers,
+        maps: &Maps,
+        depth_layer: DepthLayer,
         capabilities: Capabilities,
-        layout: MapLayout,
     ) -> Option<Self> {
-        let joined = match settings.bias.depth_layer {
-            DepthLayer::First => return None,
-            DepthLayer::Second => include_str!("../shaders/layers/second.wgsl"),
-            DepthLayer::Midpoint => include_str!("../shaders/layers/midpoint.wgsl"),
-            DepthLayer::Dual => include_str!("../shaders/layers/dual.wgsl"),
+        let text = join(depth_layer)?;
+        let layout = maps.layout;
+        let maps = || Maps::new(objects, layout, capabilities, maps.clear.as_ref());
+        let (first, second) = (maps(), maps());
+        let peel_layout = bindings::group_layout(objects, "Layers::peel_layout", &peel_bindings());
+        let join_layout = bindings::group_layout(objects, "Layers::join_layout", &join_bindings());
+        let module = objects.shader("Layers::join", &text);
+        let join = DepthPipeline {
+            label: "Layers::join",
+            module: &module,
+            entry_points: ("everywhere", Some("join")),
+            group: Some(&join_layout),
+            depth: layout.depth,
         };
-        let device = inputs.device;
-        let (first, second) =
-            (Maps::of(device, layout, capabilities), Maps::of(device, layout, capabilities));
-        let peel_layout = group_layout(device, wgpu::ShaderStages::VERTEX_FRAGMENT, 1);
-        let join_layout = group_layout(device, wgpu::ShaderStages::FRAGMENT, 2);
-        let limit =
-            format!("const UMBRAGE_DEPTH_LAYER_LIMIT: f32 = {:?};\n", settings.bias.depth_layer_limit);
-        let text = [FRAME, DEPTH, &limit, joined, include_str!("../shaders/layers/join.wgsl")].join("\n");
-        let join = join_pipeline(device, &join_layout, &text, texture_format(layout.depth));
-        let peel_group = group(inputs, &peel_layout, &[&first.all]);
-        let join_group = group(inputs, &join_layout, &[&first.all, &second.all]);
-        Some(Self { first, second, peel_layout, peel_group, join, join_group })
+        let join = depth_pipeline(objects, &join);
+        let firsts = buffers.bound().into_iter().chain([wgpu::BindingResource::TextureView(&first.all)]);
+        let peel_group = bindings::group(objects, "Layers::peel_group", &peel_layout, firsts);
+        let both = [&first.all, &second.all].map(wgpu::BindingResource::TextureView);
+        let both = buffers.bound().into_iter().chain(both);
+        let join_group = bindings::group(objects, "Layers::join_group", &join_layout, both);
+        Some(Self { depth_layer, first, second, peel_layout, peel_group, join, join_group })
+    }
+
+    /// Whether it makes this layer.
+    pub fn makes(&self, depth_layer: DepthLayer) -> bool {
+        self.depth_layer == depth_layer
     }
 
     /// Writes what is stored of a plan's views.
     pub fn join(&self, encoder: &mut wgpu::CommandEncoder, maps: &Maps, plan: &ShadowPlan) {
         for view in plan.views() {
-            let mut pass = maps.begin(encoder, view, None);
+            let mut pass = maps.overwrite(encoder, view);
             pass.set_pipeline(&self.join);
             pass.set_bind_group(0, &self.join_group, &[offset(view)]);
             pass.draw(0..3, 0..1);
@@ -66,88 +78,4 @@ impl Layers {
     pub fn bytes(&self) -> u64 {
         self.first.layout.bytes() + self.second.layout.bytes()
     }
-}
-
-/// Where a view's number stands.
-pub(crate) fn offset(view: &ShadowView) -> u32 {
-    view.index as u32 * VIEW_INDEX_STRIDE
-}
-
-/// What a fragment shader that leaves out the first surface is made of; it goes with the caller's vertex shader.
-pub(crate) fn peel_wgsl() -> String {
-    [FRAME, include_str!("../shaders/layers/peel.wgsl")].join("\n")
-}
-
-/// The frame, the view, and so many depth maps from binding 2 on.
-fn group_layout(device: &wgpu::Device, visibility: wgpu::ShaderStages, maps: u32) -> wgpu::BindGroupLayout {
-    let map = |binding| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: DEPTH_MAPS,
-        count: None,
-    };
-    let entries: Vec<_> =
-        [frame_entry(visibility), view_entry(visibility)].into_iter().chain((2..2 + maps).map(map)).collect();
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("Layers::layout"),
-        entries: &entries,
-    })
-}
-
-fn group(inputs: Inputs<'_>, layout: &wgpu::BindGroupLayout, maps: &[&wgpu::TextureView]) -> wgpu::BindGroup {
-    let texture = |(binding, view)| wgpu::BindGroupEntry {
-        binding,
-        resource: wgpu::BindingResource::TextureView(view),
-    };
-    let maps = (2..).zip(maps.iter().copied()).map(texture);
-    let entries: Vec<_> = frame_and_view(inputs.frame, inputs.view_indices).into_iter().chain(maps).collect();
-    inputs.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("Layers::group"),
-        layout,
-        entries: &entries,
-    })
-}
-
-fn join_pipeline(
-    device: &wgpu::Device,
-    group: &wgpu::BindGroupLayout,
-    text: &str,
-    format: wgpu::TextureFormat,
-) -> wgpu::RenderPipeline {
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("Layers::join"),
-        source: wgpu::ShaderSource::Wgsl(text.into()),
-    });
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("Layers::join"),
-        bind_group_layouts: &[Some(group)],
-        immediate_size: 0,
-    });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("Layers::join"),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("everywhere"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Always),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("join"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
 }

@@ -8,13 +8,15 @@
 //! #     lights: &[umbrage::Light], bounds: &umbrage::Bounds) -> Result<(), Box<dyn std::error::Error>> {
 //! use umbrage::{Settings, Shadows};
 //! let mut shadows = Shadows::new(device, Settings::default())?;
+//! shadows.allocate(device, lights)?; // nothing, where there is room already
 //! let plan = shadows.plan(camera, lights, bounds)?;
-//! shadows.upload(queue, &plan);
-//! for view in plan.views() {
-//!     let mut pass = shadows.begin(encoder, view); // n maps …
+//! shadows.upload(queue, &plan)?;
+//! let mut casting = shadows.cast(encoder, &plan)?;
+//! while let Some((pass, view)) = casting.next_view() {
 //!     // set your caster pipeline, draw what touches view.casters
 //! }
-//! shadows.finish(encoder, &plan); // moments and blurs, where the filter has them
+//! drop(casting);
+//! shadows.finish(encoder, &plan)?; // moments and blurs, where the filter has them
 //! // … and one shading pass, with shadows.bind_group() where shadows.wgsl(group) expects it
 //! # Ok(()) }
 //! ```
@@ -26,24 +28,44 @@
 mod bindings;
 mod capabilities;
 mod caster_pass;
+mod casting;
+mod changed;
 mod compute;
 mod contact;
+mod depth_pipeline;
 mod error;
-mod gpu_types;
+mod filtered;
+mod frame;
 mod layers;
 mod maps;
-mod moments;
+mod objects;
+mod parts;
 mod prefilter;
+mod receivers;
 mod shadows;
 mod sums;
-mod wgsl;
+mod supported;
 
 pub use capabilities::Capabilities;
 pub use caster_pass::CasterVertex;
-pub use contact::{ContactShadows, contact_wgsl};
-pub use error::ShadowError;
-#[doc(hidden)]
-pub use moments::{moments_wgsl, msm_blocker_wgsl};
+pub use casting::Casting;
+pub use changed::Changed;
+pub use contact::ContactShadows;
+pub use error::{DeviceError, ShadowError};
 pub use shadows::Shadows;
 pub use umbrage_core::*;
-pub use wgsl::{caster_wgsl, map_wgsl, receiver_wgsl};
+pub use {glam, umbrage_wgsl as shaders, wgpu};
+
+pub use umbrage_wgsl::{contact as contact_wgsl, map as map_wgsl};
+
+/// WGSL to put in front of a caster's vertex shader: see [`shaders::caster`]. Its bindings are group 0 of the pipeline; yours
+/// start at 1.
+pub fn caster_wgsl() -> String {
+    shaders::caster(0)
+}
+
+/// WGSL to put in front of a receiver's shader, on a device that can do this: see [`shaders::receiver`]. Its bindings are group
+/// `group` of the pipeline. [`Shadows::wgsl`] is the same for settings in force.
+pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32) -> String {
+    shaders::receiver(&shaders::ShaderKey::new(settings, capabilities.textures()), group)
+}

@@ -1,12 +1,15 @@
 //! The shadow maps themselves: one depth texture, in layers or as an atlas, and its texels read back.
 
 use umbrage_core::{DepthFormat, MapLayout, MapTexels, ShadowView, Tile};
+use umbrage_wgsl::clear;
 
 use crate::capabilities::Capabilities;
-use crate::error::ShadowError;
+use crate::depth_pipeline::{DepthPipeline, depth_pipeline};
+use crate::error::{DeviceError, ShadowError};
+use crate::objects::Objects;
 
 /// The depth texture that all views share.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Maps {
     pub layout: MapLayout,
     texture: wgpu::Texture,
@@ -14,32 +17,49 @@ pub(crate) struct Maps {
     pub all: wgpu::TextureView,
     /// One a layer, for drawing.
     layers: Vec<wgpu::TextureView>,
+    /// Empties one tile; only where a layer may hold several.
+    pub clear: Option<wgpu::RenderPipeline>,
+}
+
+/// Whether a layout is within an adapter's limits.
+pub(crate) fn check_size(device: &wgpu::Device, layout: MapLayout) -> Result<(), ShadowError> {
+    let limits = device.limits();
+    let (max, max_layers) = (limits.max_texture_dimension_2d, limits.max_texture_array_layers);
+    let MapLayout { width, height, layers, depth: _ } = layout;
+    if width > max || height > max || layers > max_layers {
+        return Err(ShadowError::TooLarge { width, height, layers, max, max_layers });
+    }
+    Ok(())
+}
+
+/// The pipeline that empties a tile; `None` where every layer holds one tile, so that the pass can empty it.
+pub(crate) fn clear_pipeline(objects: &Objects<'_>, layout: MapLayout) -> Option<wgpu::RenderPipeline> {
+    (layout.layers == 1).then(|| {
+        let module = objects.shader("Maps::clear", &clear());
+        let entry_points = ("clear", None);
+        let label = "Maps::clear";
+        depth_pipeline(
+            objects,
+            &DepthPipeline { label, module: &module, entry_points, group: None, depth: layout.depth },
+        )
+    })
 }
 
 impl Maps {
+    /// Maps that lie so; the layout is within the limits of [`check_size`].
     pub fn new(
-        device: &wgpu::Device,
+        objects: &Objects<'_>,
         layout: MapLayout,
         capabilities: Capabilities,
-    ) -> Result<Self, ShadowError> {
-        let limits = device.limits();
-        let (most, most_layers) = (limits.max_texture_dimension_2d, limits.max_texture_array_layers);
+        clear: Option<&wgpu::RenderPipeline>,
+    ) -> Self {
         let (width, height) = (layout.width, layout.height);
-        if width > most || height > most || layout.layers > most_layers {
-            return Err(ShadowError::TooLarge { width, height, layers: layout.layers, most, most_layers });
-        }
-        Ok(Self::of(device, layout, capabilities))
-    }
-
-    /// As [`Self::new`], for a layout that is within the limits.
-    pub fn of(device: &wgpu::Device, layout: MapLayout, capabilities: Capabilities) -> Self {
-        let (width, height) = (layout.width, layout.height);
-        let texture = device.create_texture(&wgpu::TextureDescriptor {
+        let texture = objects.texture(&wgpu::TextureDescriptor {
             label: Some("Maps::texture"),
             size: wgpu::Extent3d {
                 width,
                 height,
-                depth_or_array_layers: layout.layers.max(capabilities.least_layers),
+                depth_or_array_layers: layout.layers.max(capabilities.min_layers),
             },
             mip_level_count: 1,
             sample_count: 1,
@@ -54,23 +74,21 @@ impl Maps {
                 },
             view_formats: &[],
         });
-        let all = texture.create_view(&wgpu::TextureViewDescriptor {
-            label: Some("Maps::all"),
-            dimension: Some(wgpu::TextureViewDimension::D2Array),
-            ..Default::default()
-        });
+        let view = |label, dimension, base_array_layer, array_layer_count| {
+            let descriptor = wgpu::TextureViewDescriptor {
+                label: Some(label),
+                dimension: Some(dimension),
+                base_array_layer,
+                array_layer_count,
+                ..Default::default()
+            };
+            objects.view(&texture, &descriptor)
+        };
+        let all = view("Maps::all", wgpu::TextureViewDimension::D2Array, 0, None);
         let layers = (0..layout.layers)
-            .map(|layer| {
-                texture.create_view(&wgpu::TextureViewDescriptor {
-                    label: Some("Maps::layer"),
-                    dimension: Some(wgpu::TextureViewDimension::D2),
-                    base_array_layer: layer,
-                    array_layer_count: Some(1),
-                    ..Default::default()
-                })
-            })
+            .map(|layer| view("Maps::layer", wgpu::TextureViewDimension::D2, layer, Some(1)))
             .collect();
-        Self { layout, texture, all, layers }
+        Self { layout, texture, all, layers, clear: clear.cloned() }
     }
 
     /// Size of the texture, texels.
@@ -78,33 +96,70 @@ impl Maps {
         [self.texture.width(), self.texture.height()]
     }
 
-    /// Starts drawing a view's tile. The first view that is drawn into a layer clears it.
+    /// Whether a tile lies in the texture.
+    pub fn holds(&self, tile: Tile) -> bool {
+        let Tile { layer, x, y, size } = tile;
+        let within = |start: u32, side: u32| start.checked_add(size).is_some_and(|end| end <= side);
+        layer < self.layout.layers && within(x, self.layout.width) && within(y, self.layout.height)
+    }
+
+    /// Whether a tile is all that its layer holds.
+    pub fn is_whole_layer(&self, tile: Tile) -> bool {
+        self.clear.is_none() || self.layout.width == tile.size && self.layout.height == tile.size
+    }
+
+    /// Starts drawing an empty tile of a view.
     pub fn begin<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,
         view: &ShadowView,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) -> wgpu::RenderPass<'e> {
-        let Tile { layer, x, y, size } = view.tile;
-        let is_first = view.index == 0 || self.layout.layers > 1;
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        let mut pass = self.open(encoder, view.tile, timestamp_writes);
+        self.enter(&mut pass, view.tile);
+        pass
+    }
+
+    /// Starts drawing a tile of a view all over: what it held stays or not.
+    pub fn overwrite<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        view: &ShadowView,
+    ) -> wgpu::RenderPass<'e> {
+        let mut pass = self.open(encoder, view.tile, None);
+        go_to(&mut pass, view.tile);
+        pass
+    }
+
+    /// Starts a pass on the layer of a tile, which is empty then if it holds no other.
+    pub fn open<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        tile: Tile,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) -> wgpu::RenderPass<'e> {
+        let load = if self.is_whole_layer(tile) { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load };
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("Shadows::caster_pass"),
             color_attachments: &[],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.layers[layer as usize],
-                depth_ops: Some(wgpu::Operations {
-                    load: if is_first { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load },
-                    store: wgpu::StoreOp::Store,
-                }),
+                view: &self.layers[tile.layer as usize],
+                depth_ops: Some(wgpu::Operations { load, store: wgpu::StoreOp::Store }),
                 stencil_ops: None,
             }),
             timestamp_writes,
             occlusion_query_set: None,
             multiview_mask: None,
-        });
-        pass.set_viewport(x as f32, y as f32, size as f32, size as f32, 0.0, 1.0);
-        pass.set_scissor_rect(x, y, size, size);
-        pass
+        })
+    }
+
+    /// Goes on to a tile of the pass's layer, and empties it where the pass could not.
+    pub fn enter(&self, pass: &mut wgpu::RenderPass<'_>, tile: Tile) {
+        go_to(pass, tile);
+        if let Some(clear) = self.clear.as_ref().filter(|_| !self.is_whole_layer(tile)) {
+            pass.set_pipeline(clear);
+            pass.draw(0..3, 0..1);
+        }
     }
 
     /// Copies all texels to the CPU, and waits for them.
@@ -113,9 +168,9 @@ impl Maps {
         let [width, height] = self.size();
         let stride = (width * bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(stride) * u64::from(height) * u64::from(self.layout.layers);
-        let most = device.limits().max_buffer_size;
-        if size > most {
-            return Err(ShadowError::CopyTooLarge { bytes: size, most });
+        let max = device.limits().max_buffer_size;
+        if size > max {
+            return Err(ShadowError::CopyTooLarge { bytes: size, max });
         }
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("Maps::read"),
@@ -143,15 +198,14 @@ impl Maps {
             wgpu::Extent3d { width, height, depth_or_array_layers: self.layout.layers },
         );
         queue.submit([encoder.finish()]);
-        let failed = |error: &dyn std::fmt::Display| ShadowError::ReadBack(error.to_string());
         let (sender, receiver) = std::sync::mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // The receiver lives until the result has come.
             let _ = sender.send(result);
         });
-        device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
-        receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-        let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
+        device.poll(wgpu::PollType::wait_indefinitely()).map_err(failed)?;
+        receiver.recv().map_err(failed)?.map_err(failed)?;
+        let mapped = buffer.get_mapped_range(..).map_err(failed)?;
         let row = |row: &[u8]| -> Vec<f32> {
             let row = &row[..(width * bytes) as usize];
             match self.layout.depth {
@@ -164,6 +218,17 @@ impl Maps {
         let depths = mapped.chunks_exact(stride as usize).flat_map(row).collect();
         Ok(MapTexels { layout: self.layout, depths })
     }
+}
+
+fn failed(error: impl std::error::Error + Send + Sync + 'static) -> ShadowError {
+    ShadowError::ReadBack(DeviceError::new(error))
+}
+
+/// Draws into a tile alone from now on.
+fn go_to(pass: &mut wgpu::RenderPass<'_>, tile: Tile) {
+    let Tile { layer: _, x, y, size } = tile;
+    pass.set_viewport(x as f32, y as f32, size as f32, size as f32, 0.0, 1.0);
+    pass.set_scissor_rect(x, y, size, size);
 }
 
 /// What a texel of the texture is.

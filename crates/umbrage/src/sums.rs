@@ -1,66 +1,42 @@
 //! Summed-area tables of moments: made of the depth maps by compute, so that a box of any size is sixteen reads.
 //!
-//! Source: Crow, SIGGRAPH 1984; in whole numbers that wrap around, Peters et al., JCGT 6 (1), 2017, §4. `shaders/prefilter/sum.wgsl` has
-//! the steps, `shaders/sample/box.wgsl` the reads.
+//! Source: Crow, SIGGRAPH 1984; in whole numbers that wrap around, Peters et al., JCGT 6 (1), 2017, §4. `shaders/prefilter/sum.wgsl`
+//! of `umbrage-wgsl` has the steps, `shaders/sampling/box.wgsl` the reads.
 
-use umbrage_core::{Filter, MapLayout, ShadowPlan, Stored};
+use umbrage_core::ShadowPlan;
+use umbrage_wgsl::SumSteps;
 
-use crate::capabilities::Capabilities;
-use crate::compute::{DEPTH_MAPS, Inputs, Kernel, Step, layer_of, layer_view};
-use crate::moments::moments_files;
-use crate::prefilter::texture;
-use crate::wgsl::{DEPTH, FRAME, declared};
+use crate::compute::{Kernel, KernelOn};
+use crate::filtered::{Extent, Source, Textures};
 
 /// Sums of all views, and the steps that make them.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct SumMaps {
-    /// All layers, for lookups.
-    pub all: wgpu::TextureView,
-    /// Of sums and scratch.
-    pub bytes: u64,
+    pub textures: Textures,
     /// A step for each layer.
-    rows: Vec<Step>,
-    columns: Vec<Step>,
+    rows: Vec<KernelOn>,
+    columns: Vec<KernelOn>,
 }
 
 impl SumMaps {
-    /// Sums for depth maps that lie so; `None` for a filter that has none.
-    pub fn new(
-        inputs: Inputs<'_>,
-        filter: &Filter,
-        capabilities: Capabilities,
-        depths: &wgpu::TextureView,
-        layout: MapLayout,
-    ) -> Option<Self> {
-        let Stored::Summed { texel, steps: _ } = filter.stores() else { return None };
-        let (format, name) = match texel.channels {
-            ..=2 => (wgpu::TextureFormat::Rg32Uint, "rg32uint"),
-            _ => (wgpu::TextureFormat::Rgba32Uint, "rgba32uint"),
+    pub fn new(source: Source<'_>, steps: &SumSteps, old: Option<&Textures>) -> Self {
+        let Source { objects, buffers, depths, layout, min_layers } = source;
+        let extent = Extent {
+            format: steps.format,
+            size: [layout.width, layout.height],
+            layers: layout.layers.max(min_layers),
+            levels: 1,
+            scratch_side: layout.width.min(layout.height),
         };
-        let (numbers, moments) = (declared(&filter.numbers()), moments_files(texel.moments));
-        let steps = include_str!("../shaders/prefilter/sum.wgsl");
-        let text = [FRAME, DEPTH, &numbers, &moments, steps].join("\n").replace("UMBRAGE_SUM_FORMAT", name);
-        let layers = layout.layers.max(capabilities.least_layers);
-        let side = layout.width.min(layout.height);
-        let made = texture(inputs.device, format, [layout.width, layout.height], layers, 1);
-        let scratch = layer_view(&texture(inputs.device, format, [side; 2], 1, 1), 0, 0);
-        let rows = Kernel::new(inputs.device, &text, "rows", DEPTH_MAPS, format);
-        let read = layer_of(wgpu::TextureSampleType::Uint);
-        let columns = Kernel::new(inputs.device, &text, "columns", read, format);
-        let texel = u64::from(format.block_copy_size(None).unwrap_or_default());
-        let texels = u64::from(layout.width) * u64::from(layout.height) * u64::from(layers);
-        Some(Self {
-            all: made.create_view(&wgpu::TextureViewDescriptor {
-                label: Some("SumMaps::all"),
-                dimension: Some(wgpu::TextureViewDimension::D2Array),
-                ..Default::default()
-            }),
-            bytes: (texels + u64::from(side).pow(2)) * texel,
-            rows: (0..layout.layers).map(|_| rows.on(inputs, depths, &scratch)).collect(),
-            columns: (0..layout.layers)
-                .map(|layer| columns.on(inputs, &scratch, &layer_view(&made, layer, 0)))
-                .collect(),
-        })
+        let textures = Textures::new(objects, extent, old);
+        let (rows, columns) = (Kernel::new(objects, &steps.rows), Kernel::new(objects, &steps.columns));
+        let column =
+            |layer| columns.on(objects, buffers, &textures.scratch, &textures.layer(objects, layer, 0));
+        Self {
+            rows: (0..layout.layers).map(|_| rows.on(objects, buffers, depths, &textures.scratch)).collect(),
+            columns: (0..layout.layers).map(column).collect(),
+            textures,
+        }
     }
 
     /// Makes the sums of a plan's views.

@@ -1,4 +1,4 @@
-//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `worlds`, `presets`.
+//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `settings`, `worlds`, `presets`.
 
 use std::path::PathBuf;
 
@@ -18,7 +18,11 @@ pub struct PlanArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct WorldsArgs {
+    /// Print docs/worlds.md: each world with its picture, size, lights and cameras
+    #[arg(long)]
+    pub markdown: bool,
     #[command(subcommand)]
     pub command: Option<WorldsCommand>,
 }
@@ -41,4 +45,13 @@ pub enum WorldsCommand {
 pub struct PresetsArgs {
     /// Which one to print
     pub name: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub struct SettingsArgs {
+    /// One setting, as filter.kind, to be told all of it
+    pub name: Option<String>,
+    /// Print docs/settings.md: every setting with its values, default, source, and what a change of it costs
+    #[arg(long, conflicts_with = "name")]
+    pub markdown: bool,
 }

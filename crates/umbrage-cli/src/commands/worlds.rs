@@ -1,4 +1,4 @@
-//! `umbrage worlds`, `umbrage worlds export`
+//! `umbrage worlds`, `umbrage worlds --markdown`, `umbrage worlds export`
 
 use umbrage_lab::files;
 use umbrage_scene::worlds;
@@ -6,13 +6,14 @@ use umbrage_scene::worlds;
 use crate::args::{WorldsArgs, WorldsCommand};
 use crate::failure::Outcome;
 use crate::output::print;
-use crate::world;
+use crate::{pages, world};
 
 pub fn run(args: &WorldsArgs) -> Outcome {
     match &args.command {
         Some(WorldsCommand::Export { world, output, seed }) => {
             files::write(output, &umbrage_scene::to_glb(&world::load(world, *seed)?)?)?;
         }
+        None if args.markdown => print(&pages::worlds::markdown())?,
         None => {
             for world in worlds::ALL {
                 let mark = if world.name == worlds::DEFAULT { " (default)" } else { "" };

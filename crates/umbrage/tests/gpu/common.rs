@@ -138,46 +138,84 @@ pub fn draw_lit(
     world: &[[Vec3; 3]],
     bounds: &Bounds,
 ) -> Drawn {
-    let mut shadows = Shadows::for_lights(&device, settings, lights).expect("valid settings");
+    let shadows = Shadows::new(&device, settings).expect("valid settings");
+    draw_again((device, queue), shadows, camera, lights, world, bounds)
+}
+
+/// Draws into shadows that there are.
+pub fn draw_again(
+    (device, queue): (wgpu::Device, wgpu::Queue),
+    mut shadows: Shadows,
+    camera: &Camera,
+    lights: &[Light],
+    world: &[[Vec3; 3]],
+    bounds: &Bounds,
+) -> Drawn {
+    let _ = shadows.allocate(&device, lights).expect("room for the lights");
     let plan = shadows.plan(camera, lights, bounds).expect("a plan");
-    shadows.upload(&queue, &plan);
-    let source = caster_wgsl()
-        + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("casters"),
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
-    let buffers = [Some(wgpu::VertexBufferLayout {
-        array_stride: 12,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-    })];
-    let vertex = CasterVertex {
-        module: &module,
-        entry_point: "caster",
-        buffers: &buffers,
-        bind_group_layouts: &[],
-        front_face: wgpu::FrontFace::Ccw,
-    };
-    let pipeline = shadows.caster_pipeline(&device, &vertex);
-    let peel = shadows.second_caster_pipeline(&device, &vertex);
-    let vertices = buffer(&device, &queue, bytemuck::cast_slice(world), wgpu::BufferUsages::VERTEX);
+    shadows.upload(&queue, &plan).expect("its own plan");
+    let casters = Casters::new(&device, &queue, &shadows, world);
     let mut encoder = device.create_command_encoder(&Default::default());
     for view in plan.views() {
-        let mut pass = shadows.begin(&mut encoder, view);
-        pass.set_pipeline(&pipeline);
-        pass.set_vertex_buffer(0, vertices.slice(..));
-        pass.draw(0..world.len() as u32 * 3, 0..1);
-        drop(pass);
-        if let (Some(peel), Some(mut pass)) = (&peel, shadows.begin_second(&mut encoder, view, None)) {
-            pass.set_pipeline(peel);
-            pass.set_vertex_buffer(0, vertices.slice(..));
-            pass.draw(0..world.len() as u32 * 3, 0..1);
+        casters.draw(&mut shadows.begin(&mut encoder, view, None).expect("its own view"));
+        if let Some(mut pass) = shadows.begin_second(&mut encoder, view, None).expect("its own view") {
+            casters.draw_second(&mut pass);
         }
     }
-    shadows.finish(&mut encoder, &plan);
+    shadows.finish(&mut encoder, &plan).expect("its own plan");
     queue.submit([encoder.finish()]);
     Drawn { device, queue, shadows, plan }
+}
+
+/// A world of triangles as casters.
+pub struct Casters {
+    pipeline: wgpu::RenderPipeline,
+    second: Option<wgpu::RenderPipeline>,
+    vertices: wgpu::Buffer,
+    count: u32,
+}
+
+impl Casters {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shadows: &Shadows, world: &[[Vec3; 3]]) -> Self {
+        let source = caster_wgsl()
+            + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("casters"),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
+        let buffers = [Some(wgpu::VertexBufferLayout {
+            array_stride: 12,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+        })];
+        let vertex = CasterVertex {
+            module: &module,
+            entry_point: "caster",
+            buffers: &buffers,
+            bind_group_layouts: &[],
+            front_face: wgpu::FrontFace::Ccw,
+        };
+        Self {
+            pipeline: shadows.caster_pipeline(device, &vertex),
+            second: shadows.second_caster_pipeline(device, &vertex),
+            vertices: buffer(device, queue, bytemuck::cast_slice(world), wgpu::BufferUsages::VERTEX),
+            count: world.len() as u32 * 3,
+        }
+    }
+
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(&self.pipeline, pass);
+    }
+
+    pub fn draw_second(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(self.second.as_ref().expect("a second surface"), pass);
+    }
+
+    fn draw_with(&self, pipeline: &wgpu::RenderPipeline, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.draw(0..self.count, 0..1);
+    }
 }
 
 fn buffer(

@@ -1,6 +1,8 @@
 //! Tests that need an adapter: Mesa's lavapipe and llvmpipe will do, and `scripts/setup` installs them.
 
 mod agreement;
+mod casting;
+mod changes;
 mod common;
 mod filters;
 mod lamps;

@@ -2,7 +2,8 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec4};
-use umbrage::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm, moments_wgsl, msm_blocker_wgsl};
+use umbrage::shaders::{moments as moments_wgsl, msm_blocker as msm_blocker_wgsl};
+use umbrage::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 
 use crate::common::device;
 

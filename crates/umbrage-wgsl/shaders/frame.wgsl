@@ -1,0 +1,81 @@
+// What every shader of a frame knows: the camera, the biases, the lights and their views. `src/frame.rs` writes it, and a test
+// holds that both lay it out alike.
+
+struct UmbrageView {
+    /// World space to the view's own clip space.
+    clip_from_world: mat4x4f,
+    /// Upper left corner of the tile, texels.
+    tile_origin: vec2f,
+    /// Side of the tile, texels.
+    tile_size: f32,
+    /// Array layer of the tile.
+    layer: i32,
+    /// The view depths that the view serves, metres; and the farther one as reversed clip depth.
+    depth_start: f32,
+    depth_end: f32,
+    clip_depth_end: f32,
+    /// From the view's near plane to its far one along the light's axis, and from a punctual light's apex to the near plane,
+    /// metres.
+    depth_metres: f32,
+    near_metres: f32,
+    /// The kind of the view's light: a constant of `light.wgsl`.
+    light_kind: u32,
+    /// A warp scales stored depth by a factor that is constant along each light ray; dot(this, (x, y, 1)) is its inverse at x,
+    /// y of NDC.
+    inverse_weight: vec3f,
+}
+
+struct UmbrageLight {
+    /// The unit direction to a sun, or the position of a punctual light, in world space.
+    place: vec3f,
+    /// The light's kind: a constant of `light.wgsl`.
+    kind: u32,
+    /// Index of the light's first view.
+    first_view: u32,
+    /// Number of the light's views.
+    view_count: u32,
+    /// The tangent of half the angle that a sun is seen under, or the radius of a punctual light, metres.
+    size: f32,
+}
+
+struct UmbrageFrame {
+    /// View depth of world point p is dot(depth_row, vec4(p, 1)), metres.
+    depth_row: vec4f,
+    /// The camera's NDC x is dot(clip_x_row, …) / dot(clip_w_row, …), and so are y and its reversed depth.
+    clip_x_row: vec4f,
+    clip_y_row: vec4f,
+    clip_z_row: vec4f,
+    clip_w_row: vec4f,
+    /// View depth at which shadows end, metres.
+    shadow_end: f32,
+    light_count: u32,
+    /// Size of the maps' texture, texels.
+    map_size: vec2f,
+    /// Size of the camera's picture, pixels.
+    picture_size: vec2f,
+    /// Bias toward the light, metres.
+    bias_constant: f32,
+    /// Bias toward the light, texels times tangent.
+    bias_slope: f32,
+    bias_slope_limit: f32,
+    /// Offset along the normal, in reaches of the filter.
+    bias_normal: f32,
+    /// Cosine of the angle between normal and light up to which light fades in.
+    terminator: f32,
+    /// How much a stored depth may differ from the one that was drawn.
+    depth_step: f32,
+    /// How far behind the first surface the stored depth may lie at most, where two surfaces are drawn, metres.
+    depth_layer_limit: f32,
+    /// The share of a slice's depth, or of a map's half width, over which views blend into each other.
+    blend: f32,
+    /// What a shadow does to the picture: a constant of `receiver/shade.wgsl`.
+    shade: u32,
+    /// How much of that a full shadow does, 0 to 1.
+    darkness: f32,
+    /// The colour that a shadow lays over the picture, and how much of the picture it covers.
+    shadow_colour: vec4f,
+    lights: array<UmbrageLight, 16>,
+    views: array<UmbrageView>,
+}
+
+@group(0) @binding(0) var<storage, read> umbrage_frame: UmbrageFrame;

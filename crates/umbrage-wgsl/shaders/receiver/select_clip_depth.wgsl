@@ -1,0 +1,16 @@
+// A receiver's view is the one whose slice holds the camera's clip depth of it (Zhang et al. 2006, eq. 8, corrected:
+// f / (f − n) · (1 − n / C)). The camera's depth is reversed, so slices end at falling values.
+
+import package::frame::umbrage_frame;
+
+/// The view of a light that serves a receiver.
+fn umbrage_select(light: u32, depth: f32, world_position: vec3f, world_normal: vec3f) -> u32 {
+    let point = vec4f(world_position, 1.0);
+    let clip_depth = dot(umbrage_frame.clip_z_row, point) / dot(umbrage_frame.clip_w_row, point);
+    let first = umbrage_frame.lights[light].first_view;
+    var split = 0u;
+    for (var i = 0u; i + 1u < umbrage_frame.lights[light].view_count; i++) {
+        split += u32(clip_depth <= umbrage_frame.views[first + i].clip_depth_end);
+    }
+    return first + split;
+}

@@ -1,0 +1,61 @@
+// Where receivers' matrices, tiles and texels come from, and which way depth grows: all address arithmetic of the lookup. The
+// technique above asks in texels of a tile, counted from its upper left corner, and in depths from 0 near the light to 1 far. A
+// host that keeps its maps otherwise replaces this file.
+
+import package::frame::umbrage_frame;
+
+@group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
+@group(0) @binding(2) var umbrage_compare: sampler_comparison;
+
+/// From world space to the clip space of a view: x, y in −1…1 over its tile, depth 0 near the light to 1 far.
+fn umbrage_clip_from_world(view_index: u32) -> mat4x4f {
+    return umbrage_frame.views[view_index].clip_from_world;
+}
+
+/// Side of a view's tile, texels.
+fn umbrage_tile_size(view_index: u32) -> f32 {
+    return umbrage_frame.views[view_index].tile_size;
+}
+
+/// The array layer that holds a view's tile.
+fn umbrage_layer(view_index: u32) -> i32 {
+    return umbrage_frame.views[view_index].layer;
+}
+
+/// A place of a tile, moved to the centres of the outermost texels where it lies beyond them.
+fn umbrage_inside(view_index: u32, texel: vec2f) -> vec2f {
+    return clamp(texel, vec2f(0.5), vec2f(umbrage_tile_size(view_index) - 0.5));
+}
+
+/// Texture coordinates of a place of a tile; places nearer to the tile's border than `inset` texels are moved inward.
+fn umbrage_uv(view_index: u32, texel: vec2f, inset: f32) -> vec2f {
+    let inside = clamp(texel, vec2f(inset), vec2f(umbrage_tile_size(view_index) - inset));
+    return (umbrage_frame.views[view_index].tile_origin + inside) / umbrage_frame.map_size;
+}
+
+/// The place of a tile that has these texture coordinates.
+fn umbrage_texel_of_uv(view_index: u32, uv: vec2f) -> vec2f {
+    return uv * umbrage_frame.map_size - umbrage_frame.views[view_index].tile_origin;
+}
+
+/// A step of texels as a step of texture coordinates.
+fn umbrage_uv_step(texels: vec2f) -> vec2f {
+    return texels / umbrage_frame.map_size;
+}
+
+/// Where the texture holds a texel of a tile.
+fn umbrage_address(view_index: u32, texel: vec2i) -> vec2i {
+    return vec2i(umbrage_frame.views[view_index].tile_origin) + texel;
+}
+
+/// Where the texture holds the texel around a place of a tile.
+fn umbrage_address_around(view_index: u32, texel: vec2f) -> vec2i {
+    return vec2i(umbrage_frame.views[view_index].tile_origin + texel);
+}
+
+/// What share of the texels around a place of a tile leaves a receiver at `depth` lit: where `depth` is not greater than what
+/// is stored. With a linear sampler four texels count, weighted bilinearly.
+fn umbrage_lit_share(view_index: u32, texel: vec2f, depth: f32) -> f32 {
+    let uv = umbrage_uv(view_index, texel, 0.5);
+    return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, umbrage_layer(view_index), depth);
+}

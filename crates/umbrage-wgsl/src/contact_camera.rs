@@ -1,0 +1,35 @@
+//! The camera that contact shadows look from, as bytes. Mirrors `UmbrageContactCamera` of `shaders/receiver/contact.wgsl`.
+
+use encase::UniformBuffer;
+use glam::{Mat4, Vec4};
+use umbrage_core::Camera;
+
+use crate::shared::shared_with_shaders;
+
+shared_with_shaders! {
+    struct Seen {
+        clip_from_world: Mat4,
+        world_from_clip: Mat4,
+        depth_row: Vec4,
+    }
+}
+
+/// Bytes of the uniform buffer that holds a camera.
+pub const CONTACT_CAMERA_BYTES: usize = 144;
+
+/// What a shader calls `umbrage_contact_camera`, as bytes.
+pub fn contact_camera(camera: &Camera) -> [u8; CONTACT_CAMERA_BYTES] {
+    let clip_from_world = camera.clip_from_world();
+    let forward = camera.forward();
+    let seen = Seen {
+        clip_from_world,
+        world_from_clip: clip_from_world.as_dmat4().inverse().as_mat4(),
+        depth_row: forward.extend(-forward.dot(camera.eye())),
+    };
+    let mut buffer = UniformBuffer::new([0; CONTACT_CAMERA_BYTES]);
+    match buffer.write(&seen) {
+        Ok(()) => buffer.into_inner(),
+        // A test holds that the camera has just this size.
+        Err(error) => unreachable!("a camera takes another number of bytes: {error}"),
+    }
+}

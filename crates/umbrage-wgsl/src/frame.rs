@@ -1,0 +1,190 @@
+//! What shaders know of a frame, as bytes: the camera, the biases, the lights and their views. Mirrors `shaders/frame.wgsl`.
+
+use encase::{ShaderSize, ShaderType, StorageBuffer};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use umbrage_core::{Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan, ShadowView};
+
+use crate::shared::shared_with_shaders;
+
+shared_with_shaders! {
+    struct View {
+        clip_from_world: Mat4,
+        tile_origin: Vec2,
+        tile_size: f32,
+        layer: i32,
+        depth_start: f32,
+        depth_end: f32,
+        clip_depth_end: f32,
+        depth_metres: f32,
+        near_metres: f32,
+        light_kind: u32,
+        inverse_weight: Vec3,
+    }
+}
+
+shared_with_shaders! {
+    #[derive(Copy)]
+    struct FrameLight {
+        place: Vec3,
+        kind: u32,
+        first_view: u32,
+        view_count: u32,
+        size: f32,
+    }
+}
+
+shared_with_shaders! {
+    struct Frame {
+        depth_row: Vec4,
+        clip_x_row: Vec4,
+        clip_y_row: Vec4,
+        clip_z_row: Vec4,
+        clip_w_row: Vec4,
+        shadow_end: f32,
+        light_count: u32,
+        map_size: Vec2,
+        picture_size: Vec2,
+        bias_constant: f32,
+        bias_slope: f32,
+        bias_slope_limit: f32,
+        bias_normal: f32,
+        terminator: f32,
+        depth_step: f32,
+        depth_layer_limit: f32,
+        blend: f32,
+        shade: u32,
+        darkness: f32,
+        shadow_colour: Vec4,
+        lights: [FrameLight; MAX_LIGHTS],
+        #[shader(size(runtime))]
+        views: Vec<View>,
+    }
+}
+
+/// Writes frames into bytes that are kept from one frame to the next, so that none after the first allocates.
+#[derive(Clone, Debug, Default)]
+pub struct FrameBytes {
+    frame: Frame,
+    bytes: Vec<u8>,
+}
+
+impl FrameBytes {
+    /// Bytes of the storage buffer that holds a frame with so many views.
+    pub fn size(views: u32) -> u64 {
+        Frame::min_size().get() + u64::from(views.max(1) - 1) * View::SHADER_SIZE.get()
+    }
+
+    /// What a shader calls `umbrage_frame`, as bytes. `map_size` is that of the maps' texture, texels, and `picture_size` that of
+    /// the camera's picture, pixels.
+    pub fn write(
+        &mut self,
+        plan: &ShadowPlan,
+        settings: &Settings,
+        map_size: [u32; 2],
+        picture_size: [u32; 2],
+    ) -> &[u8] {
+        let views = std::mem::take(&mut self.frame.views);
+        self.frame = frame(plan, settings, map_size, picture_size, views);
+        let written = self.frame.size().get() as usize;
+        match StorageBuffer::new(&mut self.bytes).write(&self.frame) {
+            Ok(()) => &self.bytes[..written],
+            // A vector grows as it is written, so there is no error to report.
+            Err(error) => unreachable!("a growing buffer refused a frame: {error}"),
+        }
+    }
+}
+
+/// A frame, in the room that `views` has.
+fn frame(
+    plan: &ShadowPlan,
+    settings: &Settings,
+    map_size: [u32; 2],
+    picture_size: [u32; 2],
+    mut views: Vec<View>,
+) -> Frame {
+    let camera = plan.camera();
+    let clip_from_world = camera.clip_from_world();
+    let forward = camera.forward();
+    let (shade, shadow_colour, darkness) = match settings.shade {
+        Shade::Absence { darkness } => (ABSENCE, [0.0; 4], darkness),
+        Shade::Colour { shadow_colour, darkness } => (COLOUR, shadow_colour, darkness),
+    };
+    let mut lights = [FrameLight::default(); MAX_LIGHTS];
+    for (slot, (i, of)) in lights.iter_mut().zip(plan.lights().iter().enumerate()) {
+        *slot = light(plan, settings, i, of);
+    }
+    views.clear();
+    views.extend(plan.views().iter().map(|of| view(plan, of)));
+    Frame {
+        depth_row: forward.extend(-forward.dot(camera.eye())),
+        clip_x_row: clip_from_world.row(0),
+        clip_y_row: clip_from_world.row(1),
+        clip_z_row: clip_from_world.row(2),
+        clip_w_row: clip_from_world.row(3),
+        shadow_end: plan.splits().last().map_or(0.0, |end| *end as f32),
+        light_count: plan.lights().len() as u32,
+        map_size: sides(map_size),
+        picture_size: sides(picture_size),
+        bias_constant: settings.bias.constant,
+        bias_slope: settings.bias.slope,
+        bias_slope_limit: settings.bias.slope_limit,
+        bias_normal: settings.bias.normal,
+        terminator: settings.bias.terminator,
+        depth_step: settings.depth.step(),
+        depth_layer_limit: settings.bias.depth_layer_limit,
+        blend: settings.blend,
+        shade,
+        darkness,
+        shadow_colour: Vec4::from_array(shadow_colour),
+        lights,
+        views,
+    }
+}
+
+/// `UMBRAGE_SHADE_ABSENCE` and `UMBRAGE_SHADE_COLOUR` of `shaders/receiver/shade.wgsl`.
+pub(crate) const ABSENCE: u32 = 0;
+pub(crate) const COLOUR: u32 = 1;
+
+/// `UMBRAGE_LIGHT_SUN` and so on, of `shaders/light.wgsl`.
+pub(crate) fn kind_number(kind: LightKind) -> u32 {
+    match kind {
+        LightKind::Directional { .. } => 0,
+        LightKind::Spot { .. } => 1,
+        LightKind::Point { .. } => 2,
+    }
+}
+
+fn sides([width, height]: [u32; 2]) -> Vec2 {
+    Vec2::new(width as f32, height as f32)
+}
+
+fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) -> FrameLight {
+    let mut views = plan.views().iter().filter(|view| view.light == index);
+    let place = match light.kind() {
+        LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position,
+        LightKind::Directional { direction } => -direction,
+    };
+    FrameLight {
+        place,
+        kind: kind_number(light.kind()),
+        first_view: views.next().map_or(0, |view| view.index as u32),
+        view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
+        size: light.half_size(settings.filter.light_size().unwrap_or_default()),
+    }
+}
+
+fn view(plan: &ShadowPlan, view: &ShadowView) -> View {
+    View {
+        clip_from_world: view.clip_from_world,
+        tile_origin: Vec2::new(view.tile.x as f32, view.tile.y as f32),
+        tile_size: view.tile.size as f32,
+        layer: view.tile.layer as i32,
+        depth_start: view.depths.start,
+        depth_end: view.depths.end,
+        clip_depth_end: plan.camera().clip_depth(view.depths.end),
+        depth_metres: view.depth_metres,
+        near_metres: view.near_metres,
+        light_kind: plan.lights().get(view.light).map_or(0, |light| kind_number(light.kind())),
+        inverse_weight: view.inverse_weight,
+    }
+}

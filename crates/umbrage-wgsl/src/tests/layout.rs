@@ -1,0 +1,65 @@
+//! CPU and shaders lay the same fields out alike, and mean the same by their numbers.
+
+use encase::ShaderType;
+use glam::Vec3;
+use umbrage_core::{Contact, Disc, Filter, Light, NoiseSource, Settings};
+
+use crate::shared::fields_in_shader;
+use crate::*;
+
+fn same(text: &str, name: &str, ours: &[(&str, u64)]) {
+    let ours: Vec<_> = ours.iter().map(|(field, offset)| ((*field).to_owned(), *offset)).collect();
+    assert_eq!(fields_in_shader(text, name), ours, "{name}");
+}
+
+#[test]
+fn shader_and_rust_agree_where_every_field_lies() {
+    same(&map(), "UmbrageView", &frame::View::fields());
+    same(&map(), "UmbrageLight", &frame::FrameLight::fields());
+    same(&map(), "UmbrageFrame", &frame::Frame::fields());
+}
+
+#[test]
+fn shader_and_rust_agree_where_every_field_of_the_contact_camera_lies() {
+    let receiver = receiver(&ShaderKey::new(&Settings::default(), TextureSupport::ALL), 1);
+    let text = receiver + &contact(&Contact::default(), 3);
+    same(&text, "UmbrageContactCamera", &contact_camera::Seen::fields());
+    assert_eq!(contact_camera::Seen::min_size().get(), CONTACT_CAMERA_BYTES as u64);
+}
+
+/// The value of a constant of a text.
+fn constant(text: &str, name: &str) -> u32 {
+    let module = naga::front::wgsl::parse_str(text).unwrap();
+    let (_, constant) = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).unwrap();
+    match module.global_expressions[constant.init] {
+        naga::Expression::Literal(naga::Literal::U32(value)) => value,
+        ref other => panic!("{name} is {other:?}"),
+    }
+}
+
+#[test]
+fn kinds_of_lights_shades_and_noises_have_the_numbers_that_shaders_know_them_by() {
+    let place = Vec3::ZERO;
+    for (light, name) in [
+        (Light::directional(Vec3::NEG_Y), "UMBRAGE_LIGHT_SUN"),
+        (Light::spot(place, Vec3::NEG_Y, 0.5, 9.0), "UMBRAGE_LIGHT_SPOT"),
+        (Light::point(place, 9.0), "UMBRAGE_LIGHT_POINT"),
+    ] {
+        assert_eq!(frame::kind_number(light.unwrap().kind()), constant(&map(), name), "{name}");
+    }
+    let key = |noise| {
+        let filter = Filter::Vogel(Disc { noise, ..Disc::default() });
+        ShaderKey::new(&Settings { filter, ..Settings::default() }, TextureSupport::ALL)
+    };
+    for (noise, name) in [
+        (NoiseSource::Screen, "UMBRAGE_NOISE_SCREEN"),
+        (NoiseSource::World, "UMBRAGE_NOISE_WORLD"),
+        (NoiseSource::None, "UMBRAGE_NOISE_NONE"),
+    ] {
+        let text = receiver(&key(noise), 0);
+        assert_eq!(constant(&text, "UMBRAGE_NOISE"), constant(&text, name), "{name}");
+    }
+    let text = receiver(&key(NoiseSource::None), 0);
+    assert_eq!(frame::ABSENCE, constant(&text, "UMBRAGE_SHADE_ABSENCE"));
+    assert_eq!(frame::COLOUR, constant(&text, "UMBRAGE_SHADE_COLOUR"));
+}

@@ -1,0 +1,151 @@
+//! The texts of receivers and casters, each with what it binds.
+
+use umbrage_core::{Contact, DepthLayer, ShaderNumber, ShaderValue};
+
+use crate::binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
+use crate::constants::lines;
+use crate::error::ImportError;
+use crate::key::{ShaderKey, StoredLayout};
+use crate::link::{Recipe, link};
+
+/// Modules that every receiver's text holds: [`contact`] goes behind it.
+const IN_EVERY_RECEIVER: &[&str] = &["frame", "light", "sampling/gradient_noise"];
+
+/// WGSL to put in front of a receiver's shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
+/// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`. Its bindings are group `group` of the
+/// pipeline: [`receiver_bindings`].
+pub fn receiver(key: &ShaderKey, group: u32) -> String {
+    said(receiver_with(key, group, &[]))
+}
+
+/// As [`receiver`], with modules that stand in for ours: `("storage/map", text)` says where matrices, tiles and texels come from
+/// in a host that keeps its maps in its own way.
+///
+/// # Errors
+/// When a module lacks a name that others import from it, or imports what is not there.
+pub fn receiver_with(key: &ShaderKey, group: u32, replaced: &[(&str, &str)]) -> Result<String, ImportError> {
+    let roots = [IN_EVERY_RECEIVER, &["receiver/footprint", "receiver/shade", "receiver/receiver"]].concat();
+    let (choices, constants) = (key.choices(), key.constants());
+    let recipe =
+        Recipe { roots: &roots, choices: &choices, constants: &constants, replaced, ..Recipe::default() };
+    Ok(in_group(&link(recipe)?, group))
+}
+
+/// What [`receiver`] binds.
+pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
+    let stages = Stages::FragmentAndCompute;
+    let sampler = |binding, name, kind| Binding { binding, name, kind: BindingKind::Sampler(kind), stages };
+    let array_of = |name, sample| {
+        let kind = BindingKind::Texture { sample, dimension: Dimension::D2Array };
+        Binding { binding: 3, name, kind, stages }
+    };
+    let mut bindings = vec![
+        Binding::frame(stages),
+        Binding::depth_maps(1, "umbrage_map", stages),
+        sampler(2, "umbrage_compare", SamplerKind::Comparison),
+    ];
+    match key.stored.map(|stored| stored.layout) {
+        None => {}
+        Some(StoredLayout::Sums { .. }) => bindings.push(array_of("umbrage_sums", SampleType::Uint)),
+        Some(StoredLayout::Moments { format, .. }) if format.is_filterable => bindings.extend([
+            array_of("umbrage_moments", SampleType::FilterableFloat),
+            sampler(4, "umbrage_smooth", SamplerKind::Filtering),
+        ]),
+        Some(StoredLayout::Moments { .. }) => bindings.push(array_of("umbrage_moments", SampleType::Float)),
+    }
+    bindings
+}
+
+/// WGSL to put in front of a caster's vertex shader: `umbrage_caster_position(world_position) -> vec4f`. Its bindings are group
+/// `group` of the pipeline: [`caster_bindings`].
+pub fn caster(group: u32) -> String {
+    said(link(Recipe { roots: &["caster/caster"], ..Recipe::default() }).map(|text| in_group(&text, group)))
+}
+
+/// What [`caster`] binds.
+pub fn caster_bindings() -> Vec<Binding> {
+    vec![Binding::frame(Stages::Vertex), Binding::current_view(Stages::Vertex)]
+}
+
+/// WGSL of a vertex shader `clear`: a triangle that empties a whole tile. It binds nothing.
+pub fn clear() -> String {
+    said(link(Recipe { roots: &["caster/clear"], ..Recipe::default() }))
+}
+
+/// WGSL of a fragment shader `peel`, for a caster's vertex shader: it leaves out the first surface that the light meets.
+pub fn peel() -> String {
+    said(link(Recipe { roots: &["caster/peel"], ..Recipe::default() }))
+}
+
+/// What [`caster`] and [`peel`] bind together.
+pub fn peel_bindings() -> Vec<Binding> {
+    vec![
+        Binding::frame(Stages::VertexAndFragment),
+        Binding::current_view(Stages::VertexAndFragment),
+        Binding::depth_maps(2, "umbrage_first", Stages::Fragment),
+    ]
+}
+
+/// WGSL of a vertex shader `everywhere` and a fragment shader `join`, which make one depth of the first two surfaces; `None` where
+/// only the first is stored.
+pub fn join(layer: DepthLayer) -> Option<String> {
+    let joined = match layer {
+        DepthLayer::First => return None,
+        DepthLayer::Second => "caster/join_second",
+        DepthLayer::Midpoint => "caster/join_midpoint",
+        DepthLayer::Dual => "caster/join_dual",
+    };
+    let choices = &[("umbrage_joined", joined)];
+    Some(said(link(Recipe { roots: &["caster/join"], choices, ..Recipe::default() })))
+}
+
+/// What [`join`] binds.
+pub fn join_bindings() -> Vec<Binding> {
+    vec![
+        Binding::frame(Stages::Fragment),
+        Binding::current_view(Stages::Fragment),
+        Binding::depth_maps(2, "umbrage_first", Stages::Fragment),
+        Binding::depth_maps(3, "umbrage_second", Stages::Fragment),
+    ]
+}
+
+/// WGSL for a shader of your own that looks into the maps: the views and the lights, in `umbrage_frame` (binding 0 of
+/// group 0), and `umbrage_linear_depth(view_index, texel, stored) -> f32`, what a stored depth is worth.
+pub fn map() -> String {
+    said(link(Recipe { roots: &["linear_depth"], ..Recipe::default() }))
+}
+
+/// WGSL to put behind that of [`receiver`]: `umbrage_contact(light, world_position, world_normal, pixel) -> f32`, 1 for lit. Its
+/// bindings are group `group` of the pipeline: [`contact_bindings`]. The text depends on all of `contact`.
+pub fn contact(contact: &Contact, group: u32) -> String {
+    let Contact { length, steps, thickness } = *contact;
+    let constants = lines(&[
+        ShaderNumber { name: "UMBRAGE_CONTACT_LENGTH", value: ShaderValue::F32(length) },
+        ShaderNumber { name: "UMBRAGE_CONTACT_STEPS", value: ShaderValue::U32(steps) },
+        ShaderNumber { name: "UMBRAGE_CONTACT_THICKNESS", value: ShaderValue::F32(thickness) },
+    ]);
+    let (roots, in_front) = (&["receiver/contact"], IN_EVERY_RECEIVER);
+    let text = link(Recipe { roots, constants: &constants, in_front, ..Recipe::default() });
+    said(text.map(|text| in_group(&text, group)))
+}
+
+/// What [`contact`] binds: the camera of [`crate::contact_camera`], and the depth that it sees.
+pub fn contact_bindings() -> Vec<Binding> {
+    let stages = Stages::FragmentAndCompute;
+    let uniform = BindingKind::Uniform { has_dynamic_offset: false };
+    let depth = BindingKind::Texture { sample: SampleType::Float, dimension: Dimension::D2 };
+    vec![
+        Binding { binding: 0, name: "umbrage_contact_camera", kind: uniform, stages },
+        Binding { binding: 1, name: "umbrage_contact_depth", kind: depth, stages },
+    ]
+}
+
+/// Umbrage's own modules always join, as a test holds. What could not be joined is a text that says why, and that no WGSL compiler
+/// takes.
+pub(crate) fn said(text: Result<String, ImportError>) -> String {
+    text.unwrap_or_else(|error| format!("{error}\n"))
+}
+
+fn in_group(text: &str, group: u32) -> String {
+    text.replace("@group(0)", &format!("@group({group})"))
+}

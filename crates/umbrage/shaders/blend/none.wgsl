@@ -1,5 +1,0 @@
-// One view a receiver: splits meet in a line.
-
-fn umbrage_blend(view_index: u32, light: u32, lookup: UmbrageLookup, own: f32, receiver: UmbrageReceiver) -> f32 {
-    return own;
-}

@@ -1,6 +1,0 @@
-// A number for every pixel: interleaved gradient noise (Jimenez, SIGGRAPH 2014).
-
-/// From 0 to 1, and even over any few neighbours.
-fn umbrage_noise(receiver: UmbrageReceiver) -> f32 {
-    return fract(52.9829189 * fract(dot(receiver.pixel, vec2f(0.06711056, 0.00583715))));
-}

@@ -1,0 +1,119 @@
+//! The GPU objects behind shadows, and which of them other settings or lights need anew.
+
+use umbrage_core::{Allocation, Settings};
+use umbrage_wgsl::{ShaderKey, caster_bindings, receiver_bindings};
+
+use crate::bindings;
+use crate::capabilities::Capabilities;
+use crate::filtered::{Filtered, Source};
+use crate::frame::FrameBuffers;
+use crate::layers::Layers;
+use crate::maps::{Maps, clear_pipeline};
+use crate::objects::Objects;
+use crate::receivers::{ReceiverLayout, Samplers, SamplersKind};
+
+/// What the objects are to serve.
+#[derive(Clone, Copy)]
+pub(crate) struct Wanted<'a> {
+    pub settings: &'a Settings,
+    pub key: &'a ShaderKey,
+    pub allocation: &'a Allocation,
+    pub capabilities: Capabilities,
+}
+
+/// All GPU objects.
+#[derive(Clone, Debug)]
+pub(crate) struct Parts {
+    pub caster_layout: wgpu::BindGroupLayout,
+    pub buffers: FrameBuffers,
+    pub maps: Maps,
+    pub layers: Option<Layers>,
+    pub filtered: Option<Filtered>,
+    /// What the filtered maps were made for.
+    key: ShaderKey,
+    samplers: Samplers,
+    pub receiver_layout: ReceiverLayout,
+    pub receiver_group: wgpu::BindGroup,
+}
+
+impl Parts {
+    /// Objects for what is wanted: those of `old` where they serve it.
+    pub fn new(objects: &Objects<'_>, wanted: Wanted<'_>, old: Option<&Self>) -> Self {
+        let Wanted { settings, key, allocation, capabilities } = wanted;
+        let (layout, views) = (allocation.layout(), allocation.tiles().len() as u32);
+        let caster_layout = kept(old.map(|old| &old.caster_layout), || {
+            bindings::group_layout(objects, "Shadows::caster_layout", &caster_bindings())
+        });
+        let buffers = kept(old.map(|old| &old.buffers).filter(|buffers| buffers.views == views), || {
+            FrameBuffers::new(objects, views, &caster_layout)
+        });
+        let maps = kept(old.map(|old| &old.maps).filter(|maps| maps.layout == layout), || {
+            Maps::new(objects, layout, capabilities, clear_pipeline(objects, layout).as_ref())
+        });
+        // What binds the frame and the maps goes on only where both do.
+        let bound = old.filter(|old| old.buffers.frame == buffers.frame && old.maps.all == maps.all);
+        let depth_layer = settings.bias.depth_layer;
+        let layers = bound.and_then(|old| old.layers.clone()).filter(|layers| layers.makes(depth_layer));
+        let layers = layers.or_else(|| Layers::new(objects, &buffers, &maps, depth_layer, capabilities));
+        let filtered = match bound.filter(|old| old.key == *key) {
+            Some(old) => old.filtered.clone(),
+            None => {
+                let min_layers = capabilities.min_layers;
+                let source = Source { objects, buffers: &buffers, depths: &maps.all, layout, min_layers };
+                let old = old.and_then(|old| old.filtered.as_ref());
+                Filtered::new(source, key, &settings.filter, old)
+            }
+        };
+        let kind = SamplersKind::of(&settings.filter);
+        let samplers = kept(old.map(|old| &old.samplers).filter(|samplers| samplers.are(kind)), || {
+            Samplers::new(objects, kind)
+        });
+        let bindings = receiver_bindings(key);
+        let receiver_layout = old.map(|old| &old.receiver_layout).filter(|old| old.bindings == bindings);
+        let receiver_layout = kept(receiver_layout, || ReceiverLayout::new(objects, bindings));
+        let same_group = bound.filter(|old| {
+            old.receiver_layout.layout == receiver_layout.layout
+                && old.samplers.are(kind)
+                && texture(&old.filtered) == texture(&filtered)
+        });
+        let receiver_group = kept(same_group.map(|old| &old.receiver_group), || {
+            receiver_layout.group(objects, &buffers, &maps, filtered.as_ref(), &samplers)
+        });
+        let key = key.clone();
+        Self {
+            caster_layout,
+            buffers,
+            maps,
+            layers,
+            filtered,
+            key,
+            samplers,
+            receiver_layout,
+            receiver_group,
+        }
+    }
+
+    /// Whether something must be drawn anew where these stand instead of others.
+    pub fn has_other_maps(&self, old: &Self) -> bool {
+        let first = |parts: &Self| parts.layers.as_ref().map(|layers| layers.first.all.clone());
+        self.maps.all != old.maps.all
+            || first(self) != first(old)
+            || texture(&self.filtered) != texture(&old.filtered)
+    }
+
+    /// Bytes of everything that lookups read and that it is made from.
+    pub fn bytes(&self) -> u64 {
+        self.maps.layout.bytes()
+            + self.layers.as_ref().map_or(0, Layers::bytes)
+            + self.filtered.as_ref().map_or(0, |filtered| filtered.textures().bytes())
+    }
+}
+
+/// The one that there is, or a new one.
+fn kept<T: Clone>(old: Option<&T>, make: impl FnOnce() -> T) -> T {
+    old.cloned().unwrap_or_else(make)
+}
+
+fn texture(filtered: &Option<Filtered>) -> Option<&wgpu::TextureView> {
+    filtered.as_ref().map(|filtered| &filtered.textures().all)
+}

@@ -1,0 +1,106 @@
+//! What shaders that ask for visibility bind: the frame, the maps, and what a filter has made of them.
+
+use umbrage_core::{Filter, Stored};
+use umbrage_wgsl::{Binding, BindingKind, SamplerKind};
+
+use crate::bindings;
+use crate::filtered::Filtered;
+use crate::frame::FrameBuffers;
+use crate::maps::Maps;
+use crate::objects::Objects;
+
+/// The layout of receivers' group, and what it is for.
+#[derive(Clone, Debug)]
+pub(crate) struct ReceiverLayout {
+    pub bindings: Vec<Binding>,
+    pub layout: wgpu::BindGroupLayout,
+}
+
+impl ReceiverLayout {
+    pub fn new(objects: &Objects<'_>, bindings: Vec<Binding>) -> Self {
+        let layout = bindings::group_layout(objects, "Shadows::receiver_layout", &bindings);
+        Self { bindings, layout }
+    }
+
+    /// The group that binds these.
+    pub fn group(
+        &self,
+        objects: &Objects<'_>,
+        buffers: &FrameBuffers,
+        maps: &Maps,
+        filtered: Option<&Filtered>,
+        samplers: &Samplers,
+    ) -> wgpu::BindGroup {
+        let filtered = filtered.map_or(&maps.all, |filtered| &filtered.textures().all);
+        let resource = |binding: &Binding| match (binding.kind, binding.binding) {
+            (BindingKind::Sampler(SamplerKind::Comparison), _) => {
+                wgpu::BindingResource::Sampler(&samplers.comparison)
+            }
+            (BindingKind::Sampler(SamplerKind::Filtering), _) => {
+                wgpu::BindingResource::Sampler(&samplers.smooth)
+            }
+            (BindingKind::Texture { .. }, 1) => wgpu::BindingResource::TextureView(&maps.all),
+            (BindingKind::Texture { .. } | BindingKind::StorageTexture { .. }, _) => {
+                wgpu::BindingResource::TextureView(filtered)
+            }
+            (BindingKind::Storage | BindingKind::Uniform { .. }, _) => buffers.frame.as_entire_binding(),
+        };
+        bindings::group(objects, "Shadows::receiver_group", &self.layout, self.bindings.iter().map(resource))
+    }
+}
+
+/// The samplers of receivers.
+#[derive(Clone, Debug)]
+pub(crate) struct Samplers {
+    kind: SamplersKind,
+    /// Lit where the depth to compare with is not greater than what is stored.
+    comparison: wgpu::Sampler,
+    /// For moments.
+    smooth: wgpu::Sampler,
+}
+
+/// What tells samplers apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct SamplersKind {
+    /// Whether four texels are compared, and not one.
+    is_bilinear: bool,
+    anisotropy: u16,
+}
+
+impl SamplersKind {
+    /// What a filter asks for.
+    pub fn of(filter: &Filter) -> Self {
+        let anisotropy = match filter.stores() {
+            Stored::Prefiltered { prefilter, .. } if prefilter.mip_levels > 1 => prefilter.anisotropy as u16,
+            Stored::Depths | Stored::Prefiltered { .. } | Stored::Summed { .. } => 1,
+        };
+        Self { is_bilinear: filter.is_bilinear(), anisotropy }
+    }
+}
+
+impl Samplers {
+    pub fn new(objects: &Objects<'_>, kind: SamplersKind) -> Self {
+        let mode = if kind.is_bilinear { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
+        let comparison = objects.sampler(&wgpu::SamplerDescriptor {
+            label: Some("Shadows::comparison_sampler"),
+            mag_filter: mode,
+            min_filter: mode,
+            compare: Some(wgpu::CompareFunction::LessEqual),
+            ..Default::default()
+        });
+        let smooth = objects.sampler(&wgpu::SamplerDescriptor {
+            label: Some("Shadows::smooth_sampler"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            anisotropy_clamp: kind.anisotropy,
+            ..Default::default()
+        });
+        Self { kind, comparison, smooth }
+    }
+
+    /// Whether they are what is asked for.
+    pub fn are(&self, kind: SamplersKind) -> bool {
+        self.kind == kind
+    }
+}
