@@ -1,7 +1,5 @@
 //! Settings from a preset, a TOML file over it, and single keys over that.
 
-use std::path::Path;
-
 use anyhow::Context as _;
 use umbrage::Settings;
 use umbrage_lab::settings::Layers;
@@ -25,6 +23,8 @@ pub fn resolve(args: &ShadowArgs) -> Outcome<Settings> {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
 
     fn with(preset: &str, shadows: Option<&Path>, set: &[&str]) -> Outcome<Settings> {
