@@ -65,7 +65,7 @@ mod tests {
             };
             let file = path.display();
             assert_eq!(refused(Some(&path), &[]), format!("line 3, `{old}` is now `{now}`, in {file}"));
-            assert_eq!(refused(None, &[&format!("{old}={value}")]), format!("--set `{old}` is now `{now}`"));
+            assert_eq!(refused(None, &[&format!("{old}={value}")]), format!("`{old}` is now `{now}`"));
         }
     }
 
