@@ -1,42 +1,30 @@
 //! Settings from a preset, a TOML file over it, and single keys over that.
 
-use std::path::Path;
-
 use anyhow::Context as _;
-use toml::{Table, Value};
 use umbrage::Settings;
-use umbrage_lab::settings;
+use umbrage_lab::settings::Layers;
 
 use crate::args::ShadowArgs;
 use crate::failure::{Failure, Outcome};
 
-/// The settings that the command line asks for, checked.
+/// Makes the settings that the command line asks for, checked. What is wrong in a file is refused with its line.
 pub fn resolve(args: &ShadowArgs) -> Outcome<Settings> {
-    let mut table = settings::preset(&args.preset).map_err(Failure::usage)?;
+    let mut layers = Layers::preset(&args.preset).map_err(Failure::usage)?;
     if let Some(path) = &args.shadows {
-        settings::overlay(&mut table, from_file(path)?);
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
+        layers = layers.file(&name, &text).map_err(Failure::usage)?;
     }
     for words in &args.set {
-        let set = settings::from_words(words).map_err(|why| Failure::usage(format!("--set {why}")))?;
-        settings::overlay(&mut table, set);
+        layers = layers.words(words).map_err(|why| Failure::usage(format!("--set {why}")))?;
     }
-    settings::checked(table).map_err(Failure::usage)
-}
-
-/// The table `[shadows]` of a file.
-fn from_file(path: &Path) -> Outcome<Table> {
-    let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let file: Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| Failure::usage(format!("{}, in {}", e.message(), path.display())))?;
-    match file.get("shadows") {
-        Some(Value::Table(shadows)) => Ok(shadows.clone()),
-        _ => Err(Failure::usage(format!("there is no table [shadows] in {}", path.display()))),
-    }
+    layers.settings().map_err(Failure::usage)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
 
     fn with(preset: &str, shadows: Option<&Path>, set: &[&str]) -> Outcome<Settings> {
@@ -51,6 +39,34 @@ mod tests {
         std::fs::write(&path, "[shadows]\nsplits = 2\nlambda = 0.25\n").unwrap();
         let settings = with("ferko-pssm-3x512", Some(&path), &["lambda=0.75"]).unwrap();
         assert_eq!((settings.splits, settings.lambda, settings.resolution), (2, 0.75, 512));
+    }
+
+    #[test]
+    fn an_old_name_in_a_file_or_on_the_command_line_is_refused_with_the_new_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("old.toml");
+        for (old, now, value) in [
+            ("filter.bail", "filter.early_out", "true"),
+            ("filter.seed", "filter.noise", "\"world\""),
+            ("filter.bleed", "filter.light_bleed_reduction", "0.3"),
+            ("filter.least_deviation", "filter.min_standard_deviation", "0.02"),
+            ("filter.most_texels", "filter.max_texels", "16.0"),
+            ("filter.prefilter.shrink", "filter.prefilter.downsample", "2"),
+            ("filter.prefilter.levels", "filter.prefilter.mip_levels", "4"),
+            ("filter.light.lamp_metres", "filter.light.punctual_metres", "0.2"),
+            ("bias.layer", "bias.depth_layer", "\"dual\""),
+            ("bias.layer_limit", "bias.depth_layer_limit", "0.1"),
+        ] {
+            std::fs::write(&path, format!("[shadows]\nsplits = 2\n{old} = {value}\n")).unwrap();
+            let refused = |shadows, set: &[&str]| {
+                let failure = with("default", shadows, set).expect_err(old);
+                assert!(matches!(failure, Failure::Usage(_)), "{old}: {failure:?}");
+                failure.to_string()
+            };
+            let file = path.display();
+            assert_eq!(refused(Some(&path), &[]), format!("line 3, `{old}` is now `{now}`, in {file}"));
+            assert_eq!(refused(None, &[&format!("{old}={value}")]), format!("`{old}` is now `{now}`"));
+        }
     }
 
     #[test]

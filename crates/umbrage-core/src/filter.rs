@@ -12,26 +12,56 @@
 //! stored for it, what its shader is compiled with, and the same lookup in Rust. This file is the list of them, and nothing
 //! else tells filters apart.
 
-mod bounds;
-mod disc;
-mod family;
+/// Comparisons on a grid of texels.
+mod grid {
+    pub(super) mod bilinear;
+    pub(super) mod hard;
+    mod kernel;
+    pub(super) mod optimised;
+    pub(super) mod pcf;
+}
+
+/// Comparisons at points of a disc.
+mod disc {
+    pub(super) mod points;
+    pub(super) mod poisson;
+    pub(super) mod rotated;
+    pub(super) mod stratified;
+    pub(super) mod vogel;
+}
+
 mod footprint;
-mod grid;
+mod pcss;
+
+/// Moments that are blurred before they are read.
+mod prefiltered {
+    mod blurred;
+    pub(super) mod esm;
+    pub(super) mod evsm;
+    pub(super) mod evsm2;
+    pub(super) mod evsm4;
+    pub(super) mod msm;
+    pub(super) mod prefilter;
+    pub(super) mod vsm;
+}
+
+/// Boxes of any size, out of a summed-area table of moments.
+mod summed {
+    mod boxes;
+    pub(super) mod mssm;
+    pub(super) mod savsm;
+}
+
+mod bounds;
+mod family;
 pub(crate) mod light_size;
 mod noise;
-mod pcss;
-mod prefiltered;
 mod radius;
 pub(crate) mod shader;
 mod stored;
-mod summed;
 mod taps;
 mod technique;
 
-use self::disc::{poisson, rotated, stratified, vogel};
-use self::grid::{bilinear, hard, optimised, pcf};
-use self::prefiltered::{esm, evsm2, evsm4, msm, vsm};
-use self::summed::{mssm, savsm};
 use self::technique::Technique;
 use crate::error::SettingsError;
 use crate::lookup::place::Query;
@@ -42,7 +72,7 @@ use crate::schema::key::Key;
 use crate::schema::kind::Kind;
 use crate::schema::values::{Choice, Values};
 
-pub use disc::Disc;
+pub use disc::points::Disc;
 pub use family::Family;
 pub use footprint::Footprint;
 pub use light_size::LightSize;
@@ -132,23 +162,23 @@ macro_rules! filters {
 
 filters! {
     // What the schema has of it: its variant => what answers for it, and the numbers to start from.
-    hard::KIND: Self::Hard {} => hard::Hard, starts as Self::Hard {};
-    bilinear::KIND: Self::Bilinear {} => bilinear::Bilinear, starts as Self::Bilinear {};
-    pcf::KIND: Self::Pcf { size } => pcf::Pcf { size: *size }, starts as Self::Pcf { size: 5 }; // as wide as the discs
-    optimised::KIND: Self::Optimised { size } => optimised::Optimised { size: *size }, starts as Self::Optimised { size: 3 };
-    poisson::KIND: Self::Poisson(of) => poisson::Poisson(*of), starts as Self::Poisson(Disc::default());
-    stratified::KIND: Self::Stratified(of) => stratified::Stratified(*of), starts as Self::Stratified(Disc::default());
-    rotated::KIND: Self::Rotated(of) => rotated::Rotated(*of), starts as Self::Rotated(Disc::default());
-    vogel::KIND: Self::Vogel(of) => vogel::Vogel(*of), starts as Self::Vogel(Disc::default());
+    grid::hard::KIND: Self::Hard {} => grid::hard::Hard, starts as Self::Hard {};
+    grid::bilinear::KIND: Self::Bilinear {} => grid::bilinear::Bilinear, starts as Self::Bilinear {};
+    grid::pcf::KIND: Self::Pcf { size } => grid::pcf::Pcf { size: *size }, starts as Self::Pcf { size: 5 }; // as wide as the discs
+    grid::optimised::KIND: Self::Optimised { size } => grid::optimised::Optimised { size: *size }, starts as Self::Optimised { size: 3 };
+    disc::poisson::KIND: Self::Poisson(of) => disc::poisson::Poisson(*of), starts as Self::Poisson(Disc::default());
+    disc::stratified::KIND: Self::Stratified(of) => disc::stratified::Stratified(*of), starts as Self::Stratified(Disc::default());
+    disc::rotated::KIND: Self::Rotated(of) => disc::rotated::Rotated(*of), starts as Self::Rotated(Disc::default());
+    disc::vogel::KIND: Self::Vogel(of) => disc::vogel::Vogel(*of), starts as Self::Vogel(Disc::default());
     footprint::KIND: Self::Footprint(of) => *of, starts as Self::Footprint(Footprint::default());
     pcss::KIND: Self::Pcss(of) => *of, starts as Self::Pcss(Pcss::default());
-    vsm::KIND: Self::Vsm(of) => *of, starts as Self::Vsm(Variance::default());
-    savsm::KIND: Self::Savsm(of) => *of, starts as Self::Savsm(SummedVariance::default());
-    esm::KIND: Self::Esm(of) => *of, starts as Self::Esm(Exponential::default());
-    evsm2::KIND: Self::Evsm2(of) => evsm2::GrowingExponential(*of), starts as Self::Evsm2(ExponentialVariance::default());
-    evsm4::KIND: Self::Evsm4(of) => evsm4::BothExponentials(*of), starts as Self::Evsm4(ExponentialVariance::default());
-    msm::KIND: Self::Msm(of) => *of, starts as Self::Msm(FourMoments::default());
-    mssm::KIND: Self::Mssm(of) => *of, starts as Self::Mssm(SoftMoments::default());
+    prefiltered::vsm::KIND: Self::Vsm(of) => *of, starts as Self::Vsm(Variance::default());
+    summed::savsm::KIND: Self::Savsm(of) => *of, starts as Self::Savsm(SummedVariance::default());
+    prefiltered::esm::KIND: Self::Esm(of) => *of, starts as Self::Esm(Exponential::default());
+    prefiltered::evsm2::KIND: Self::Evsm2(of) => prefiltered::evsm2::GrowingExponential(*of), starts as Self::Evsm2(ExponentialVariance::default());
+    prefiltered::evsm4::KIND: Self::Evsm4(of) => prefiltered::evsm4::BothExponentials(*of), starts as Self::Evsm4(ExponentialVariance::default());
+    prefiltered::msm::KIND: Self::Msm(of) => *of, starts as Self::Msm(FourMoments::default());
+    summed::mssm::KIND: Self::Mssm(of) => *of, starts as Self::Mssm(SoftMoments::default());
 }
 
 /// The row of `filter.kind`.

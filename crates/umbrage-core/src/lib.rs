@@ -65,11 +65,7 @@ pub use contact::Contact;
 pub use convex::ConvexBody;
 pub use cull::ConvexVolume;
 pub use error::{CameraError, LightError, PlanError, SettingsError};
-pub use filter::{
-    Disc, Exponential, ExponentialVariance, Family, Filter, Footprint, FourMoments, LightSize,
-    MomentPrecision, MomentTexel, NoiseSource, Pcss, Prefilter, ShaderNumber, ShaderValue, SoftMoments,
-    Stored, SummedVariance, TexelPrecision, Variance,
-};
+pub use filter::*;
 pub use fit::Fit;
 pub use light::{Light, LightKind};
 pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, view_of};

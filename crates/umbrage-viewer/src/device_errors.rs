@@ -41,7 +41,7 @@ impl DeviceErrors {
         std::mem::take(&mut lock(&self.reported).errors)
     }
 
-    /// Why the device was lost; `None` while it works.
+    /// Returns why the device was lost; `None` while it works.
     pub fn lost(&self) -> Option<String> {
         lock(&self.reported).lost.clone()
     }

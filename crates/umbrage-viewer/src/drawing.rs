@@ -56,7 +56,7 @@ impl Drawing {
         Ok(drawing)
     }
 
-    /// How many sides there are: one or two.
+    /// Returns how many sides there are: one or two.
     pub fn sides(&self) -> usize {
         self.sides.len()
     }
@@ -103,7 +103,7 @@ impl Drawing {
         self.sides[0].time_alone(camera)
     }
 
-    /// The longest side of a picture that the device can draw, pixels.
+    /// Returns the longest side of a picture that the device can draw, pixels.
     pub fn max_side_px(&self) -> u32 {
         self.gpu.device.limits().max_texture_dimension_2d
     }
@@ -125,7 +125,7 @@ impl Drawing {
         self.sides[side].drawn().map(Drawn::coming_picture).transpose()
     }
 
-    /// The shape that covers a rectangle of the screen with a side's picture.
+    /// Returns the shape that covers a rectangle of the screen with a side's picture.
     pub fn picture(&self, side: usize, rect: egui::Rect) -> Option<egui::Shape> {
         let side = self.sides.get(side)?;
         if let Some(blit) = &self.blit {
@@ -135,23 +135,23 @@ impl Drawing {
         Some(egui::Shape::image(side.id()?, rect, whole, egui::Color32::WHITE))
     }
 
-    /// The shadow plan of a side's picture.
+    /// Returns the shadow plan of a side's picture.
     pub fn plan(&self, side: usize) -> Option<&ShadowPlan> {
         Some(self.sides.get(side)?.drawn()?.plan())
     }
 
-    /// What was drawn into each view of a side's plan.
+    /// Returns what was drawn into each view of a side's plan.
     pub fn loads(&self, side: usize) -> &[ViewLoad] {
         self.sides.get(side).and_then(Side::drawn).map_or(&[], Drawn::loads)
     }
 
-    /// The size of a side's shadow maps and of what is made of them, bytes.
+    /// Returns the size of a side's shadow maps and of what is made of them, bytes.
     pub fn bytes(&self, side: usize) -> u64 {
         self.sides.get(side).map_or(0, Side::bytes)
     }
 
-    /// The shadow map of a view of a side, as a picture of `side_px` pixels a side. Where the maps are not those of the
-    /// picture any more, it is the one of before; `None` where there is none.
+    /// Returns the shadow map of a view of a side, as a picture of `side_px` pixels a side. Where the maps are not those of
+    /// the picture any more, it is the one of before; `None` where there is none.
     ///
     /// # Errors
     /// As [`Renderer::map_picture`].
@@ -172,7 +172,7 @@ impl Drawing {
         let _ = self.gpu.device.poll(wgpu::PollType::Poll);
     }
 
-    /// The times of a side's frames that came since the last call.
+    /// Returns the times of a side's frames that came since the last call.
     pub fn times(&mut self, side: usize) -> Vec<PassTimes> {
         self.sides.get_mut(side).map(Side::times).unwrap_or_default()
     }

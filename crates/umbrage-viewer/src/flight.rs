@@ -40,7 +40,7 @@ pub struct Flight {
 }
 
 impl Motion {
-    /// The motion that is not this one.
+    /// Returns the motion that is not this one.
     #[must_use]
     pub fn other(self) -> Self {
         match self {
@@ -73,12 +73,12 @@ impl Flight {
         Self { motion: self.motion, ..elsewhere }
     }
 
-    /// The direction of view, a unit vector in world space.
+    /// Returns the direction of view, a unit vector in world space.
     pub fn forward(&self) -> Vec3 {
         self.rotation() * Vec3::NEG_Z
     }
 
-    /// The point that it looks at and orbits, world space.
+    /// Returns the point that it looks at and orbits, world space.
     pub fn target(&self) -> Vec3 {
         self.eye + self.forward() * self.distance
     }

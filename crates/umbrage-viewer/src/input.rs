@@ -29,7 +29,7 @@ pub const KEYS: &[(&str, &str)] = &[
 const DIGITS: [Key; 9] =
     [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
-/// The actions of the keys that were pressed since the last frame; none while a text field has the focus.
+/// Returns the actions of the keys that were pressed since the last frame; none while a text field has the focus.
 pub fn pressed(context: &egui::Context) -> Vec<Action> {
     if context.egui_wants_keyboard_input() {
         return Vec::new();

@@ -20,7 +20,7 @@ pub struct PlanLines {
 }
 
 impl PlanLines {
-    /// Whether any part is drawn.
+    /// Returns whether any part is drawn.
     pub fn any(self) -> bool {
         self != Self::default()
     }

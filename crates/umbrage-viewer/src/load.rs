@@ -25,7 +25,7 @@ pub enum Source {
 }
 
 impl Source {
-    /// The name or the path of it, for people.
+    /// Returns the name or the path of it, for people.
     pub fn name(&self) -> &str {
         match self {
             Self::Named(name) => name,
@@ -71,7 +71,7 @@ pub fn check_size(name: &str, bytes: u64) -> Result<(), String> {
     Err(format!("a file may have {} MiB at most, and it has {}: {name}", MAX_BYTES >> 20, bytes >> 20))
 }
 
-/// Whether a file's extension is that of a world.
+/// Returns whether a file's extension is that of a world.
 pub fn is_world(path: &Path) -> bool {
     WORLDS.contains(&extension(path).as_str())
 }

@@ -13,7 +13,7 @@ impl Messages {
         }
     }
 
-    /// All of them.
+    /// Returns all of them.
     pub fn all(&self) -> &[String] {
         &self.0
     }

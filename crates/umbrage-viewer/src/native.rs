@@ -121,7 +121,7 @@ fn choose(
 pub const NO_DISPLAY: &str =
     "there is no display to open a window on; use `umbrage render` or `umbrage demo`, which need none";
 
-/// Whether there is a display to open a window on.
+/// Returns whether there is a display to open a window on.
 pub fn has_display() -> bool {
     let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     !cfg!(target_os = "linux") || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")

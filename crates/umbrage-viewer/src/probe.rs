@@ -22,12 +22,12 @@ impl Probe {
         probe
     }
 
-    /// The rectangle of the widget of a name, points; of several the first.
+    /// Returns the rectangle of the widget of a name, points; of several the first.
     pub fn widget(&self, name: &str) -> Option<Rect> {
         self.lock().get(name).copied()
     }
 
-    /// The rectangles of all widgets by their names.
+    /// Returns the rectangles of all widgets by their names.
     pub fn widgets(&self) -> BTreeMap<String, Rect> {
         self.lock().clone()
     }

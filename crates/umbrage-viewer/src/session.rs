@@ -165,7 +165,7 @@ impl Session {
         self.view.truth = false;
     }
 
-    /// What the comparison waits for, in words for people.
+    /// Returns what the comparison waits for, in words for people.
     pub fn waits_for(&self) -> Option<&str> {
         self.truth.waits_for().filter(|_| self.view.truth)
     }

@@ -32,17 +32,17 @@ impl Tasks {
         self.loading = Some(Task::run(what, context, work));
     }
 
-    /// Whether a world is being loaded.
+    /// Returns whether a world is being loaded.
     pub fn is_loading(&self) -> bool {
         self.loading.is_some()
     }
 
-    /// What is being loaded, in words for people.
+    /// Returns what is being loaded, in words for people.
     pub fn loading(&self) -> Option<&str> {
         self.loading.as_ref().map(|task| task.what.as_str())
     }
 
-    /// Whether the window must repaint until something is done, since nothing else wakes it.
+    /// Returns whether the window must repaint until something is done, since nothing else wakes it.
     pub fn need_repaint(&self) -> bool {
         self.loading.is_some() || self.saving.is_some()
     }

@@ -28,7 +28,8 @@ impl Timings {
         }
     }
 
-    /// The median over the frames of what the device's passes took together, milliseconds; `None` without frames.
+    /// Returns the median over the frames of what the device's passes took together, milliseconds; `None` without
+    /// frames.
     pub fn median(&self) -> Option<f64> {
         let mut sums: Vec<f64> = self.frames.iter().map(|(_, times)| times[1..].iter().sum()).collect();
         sums.sort_by(f64::total_cmp);

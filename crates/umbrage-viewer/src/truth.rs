@@ -75,27 +75,27 @@ impl TruthOverlay {
         self.comparison.take_if(|comparison| comparison.shot() != shot);
     }
 
-    /// Whether there is more to trace.
+    /// Returns whether there is more to trace.
     pub fn is_tracing(&self) -> bool {
         self.is_tracing
     }
 
-    /// The share of the picture that is traced, 0 to 1; `None` before the first ray.
+    /// Returns the share of the picture that is traced, 0 to 1; `None` before the first ray.
     pub fn traced(&self) -> Option<f64> {
         self.comparison.as_ref()?.traced()
     }
 
-    /// The texture that lies over a side's picture.
+    /// Returns the texture that lies over a side's picture.
     pub fn texture(&self, side: usize) -> Option<egui::TextureId> {
         self.comparison.as_ref()?.texture(side)
     }
 
-    /// What is known of a side's shadows.
+    /// Returns what is known of a side's shadows.
     pub fn figures(&self, side: usize) -> Option<&Figures> {
         self.comparison.as_ref()?.figures(side)
     }
 
-    /// What it waits for, in words for people, where it cannot trace yet.
+    /// Returns what it waits for, in words for people, where it cannot trace yet.
     pub fn waits_for(&self) -> Option<&str> {
         self.building.as_ref().map(|(_, task)| task.what.as_str())
     }

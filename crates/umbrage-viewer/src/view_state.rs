@@ -21,7 +21,7 @@ pub enum PictureMode {
 }
 
 impl PictureMode {
-    /// The renderer's word for it.
+    /// Returns the renderer's word for it.
     pub fn show(self) -> Show {
         match self {
             Self::Shadows => Show::World,
@@ -120,17 +120,17 @@ impl ViewState {
         self.path = None;
     }
 
-    /// The settings of each side that is shown: one, or two.
+    /// Returns the settings of each side that is shown: one, or two.
     pub fn sides(&self) -> &[Settings] {
         &self.settings[..if self.compare { 2 } else { 1 }]
     }
 
-    /// The settings that the panel edits.
+    /// Returns the settings that the panel edits.
     pub fn edited_settings(&self) -> &Settings {
         &self.settings[self.edited]
     }
 
-    /// The world's lights, at most [`umbrage::MAX_LIGHTS`], with the sun where the chosen hour puts it.
+    /// Returns the world's lights, at most [`umbrage::MAX_LIGHTS`], with the sun where the chosen hour puts it.
     pub fn lights(&self, scene: &Scene) -> Vec<Light> {
         let mut lights: Vec<Light> = scene.lights.iter().take(umbrage::MAX_LIGHTS).cloned().collect();
         if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(|light| is_sun(light))) {
@@ -139,22 +139,22 @@ impl ViewState {
         lights
     }
 
-    /// Whether the camera moves along the path.
+    /// Returns whether the camera moves along the path.
     pub fn follows_path(&self) -> bool {
         self.path.is_some_and(|path| !path.held)
     }
 
-    /// Whether the picture is compared with ground truth now. A picture planned for another camera is not.
+    /// Returns whether the picture is compared with ground truth now. A picture planned for another camera is not.
     pub fn compares_with_truth(&self) -> bool {
         self.truth && self.frozen_camera.is_none()
     }
 
-    /// The camera that the picture is seen from.
+    /// Returns the camera that the picture is seen from.
     pub fn camera(&self) -> Camera {
         self.flight.camera()
     }
 
-    /// The frame that the renderer draws for a picture of `width` by `height` pixels, shaded with shadows whatever
+    /// Returns the frame that the renderer draws for a picture of `width` by `height` pixels, shaded with shadows whatever
     /// [`Self::mode`] is.
     ///
     /// # Errors
@@ -169,7 +169,7 @@ impl ViewState {
     }
 }
 
-/// Whether a light is directional.
+/// Returns whether a light is directional.
 pub fn is_sun(light: &Light) -> bool {
     light.kind == LightKind::Directional
 }

@@ -114,27 +114,27 @@ impl Viewer {
         }
     }
 
-    /// The state of the view; `None` before the first world.
+    /// Returns the state of the view; `None` before the first world.
     pub fn view(&mut self) -> Option<&mut ViewState> {
         self.session.as_mut().map(|session| &mut session.view)
     }
 
-    /// The device.
+    /// Returns the device.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
-    /// Why the device was lost; `None` while it works.
+    /// Returns why the device was lost; `None` while it works.
     pub fn lost(&self) -> Option<String> {
         self.device_errors.lost()
     }
 
-    /// The world that is open; `None` before the first.
+    /// Returns the world that is open; `None` before the first.
     pub fn world(&self) -> Option<&World> {
         self.session.as_ref().map(|session| &session.world)
     }
 
-    /// The name of the world that is open; empty before the first.
+    /// Returns the name of the world that is open; empty before the first.
     pub fn world_name(&self) -> &str {
         self.world().map_or("", |world| world.scene.name.as_str())
     }
@@ -144,12 +144,12 @@ impl Viewer {
         self.session.as_ref().map(|session| &session.view.settings[0])
     }
 
-    /// Whether a world is being loaded.
+    /// Returns whether a world is being loaded.
     pub fn is_loading(&self) -> bool {
         self.tasks.is_loading()
     }
 
-    /// Whether no world is being loaded and no ray is traced.
+    /// Returns whether no world is being loaded and no ray is traced.
     pub fn is_at_rest(&self) -> bool {
         !self.is_loading() && !self.is_tracing()
     }
@@ -158,12 +158,12 @@ impl Viewer {
         self.session.as_ref().is_some_and(|session| session.truth.is_tracing())
     }
 
-    /// The messages that are shown.
+    /// Returns the messages that are shown.
     pub fn messages(&self) -> &[String] {
         self.messages.all()
     }
 
-    /// How wrong a side's shadows are, as far as is known; `None` where they are not compared with ground truth.
+    /// Returns how wrong a side's shadows are, as far as is known; `None` where they are not compared with ground truth.
     pub fn figures(&self, side: usize) -> Option<&Figures> {
         self.session.as_ref()?.truth.figures(side)
     }
@@ -208,7 +208,7 @@ impl Viewer {
         }
     }
 
-    /// How long the left side's picture takes alone from where the camera is: milliseconds, and its size, pixels.
+    /// Returns how long the left side's picture takes alone from where the camera is: milliseconds, and its size, pixels.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn time_alone(&mut self) -> Option<(f64, [u32; 2])> {
         let session = self.session.as_mut()?;

@@ -6,7 +6,7 @@ use umbrage_core::schema::{Key, Values, keys};
 const SOURCES: &[&str] = &[
     include_str!("../../src/contact.rs"),
     include_str!("../../src/filter.rs"),
-    include_str!("../../src/filter/disc.rs"),
+    include_str!("../../src/filter/disc/points.rs"),
     include_str!("../../src/filter/footprint.rs"),
     include_str!("../../src/filter/light_size.rs"),
     include_str!("../../src/filter/pcss.rs"),

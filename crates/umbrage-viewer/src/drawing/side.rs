@@ -96,12 +96,12 @@ impl Side {
         beside.coming_picture().map(Some)
     }
 
-    /// What came of drawing the frame that is shown.
+    /// Returns what came of drawing the frame that is shown.
     pub fn drawn(&self) -> Option<&Drawn> {
         self.shown.as_ref().map(|shown| &shown.drawn)
     }
 
-    /// The picture on the screen.
+    /// Returns the picture on the screen.
     pub fn texture(&self) -> Option<wgpu::TextureView> {
         // One that cannot be shown was refused when it was drawn.
         self.drawn()?.shown().ok()
@@ -116,7 +116,7 @@ impl Side {
         self.renderer.shadows().bytes()
     }
 
-    /// The shadow map of a view as a picture; `None` where the maps are not those of what is shown any more.
+    /// Returns the shadow map of a view as a picture; `None` where the maps are not those of what is shown any more.
     pub fn map_picture(
         &mut self,
         view: usize,

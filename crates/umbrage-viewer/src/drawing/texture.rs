@@ -9,7 +9,7 @@ pub struct EguiTexture {
 }
 
 impl EguiTexture {
-    /// The id of what is shown; `None` before the first [`Self::show`].
+    /// Returns the id of what is shown; `None` before the first [`Self::show`].
     pub fn id(&self) -> Option<egui::TextureId> {
         self.id
     }

@@ -1,6 +1,6 @@
 //! A fixed table of points on a disc, the same everywhere (opengl-tutorial 16).
 
-use super::{Disc, TABLE_KEYS, TABLE_TAPS};
+use super::points::{Disc, TABLE_KEYS, TABLE_TAPS};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::shader::ShaderNumber;

@@ -1,6 +1,6 @@
 //! The table of points, rotated by another angle for each receiver (opengl-tutorial 16; Jimenez 2014).
 
-use super::{Disc, TABLE_KEYS, TABLE_TAPS};
+use super::points::{Disc, TABLE_KEYS, TABLE_TAPS};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::shader::ShaderNumber;

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{Disc, TABLE_KEYS, TABLE_TAPS};
+use super::points::{Disc, TABLE_KEYS, TABLE_TAPS};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::shader::ShaderNumber;

@@ -1,6 +1,6 @@
 //! A spiral of equal areas, rotated by another angle for each receiver (Vogel 1979; Jimenez 2014).
 
-use super::{CENTRED, Disc, EARLY_OUT, RADIUS, RADIUS_TEXELS};
+use super::points::{CENTRED, Disc, EARLY_OUT, RADIUS, RADIUS_TEXELS};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::noise::NOISE;

@@ -1,6 +1,6 @@
 //! Four comparisons, weighted bilinearly: one lookup of a sampler that compares.
 
-use super::{kernel, numbers, reach_texels};
+use super::kernel::{kernel, numbers, reach_texels};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::shader::ShaderNumber;

@@ -1,6 +1,6 @@
 //! A bell-shaped kernel of bilinear lookups, in as few of them as can be: Castaño 2013.
 
-use super::{kernel, numbers, reach_texels};
+use super::kernel::{kernel, numbers, reach_texels};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::shader::ShaderNumber;

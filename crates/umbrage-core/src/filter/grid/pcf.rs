@@ -1,6 +1,6 @@
 //! The mean of a square of bilinear lookups: percentage-closer filtering, Reeves, Salesin & Cook 1987.
 
-use super::{kernel, numbers, reach_texels};
+use super::kernel::{kernel, numbers, reach_texels};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
 use crate::filter::shader::ShaderNumber;

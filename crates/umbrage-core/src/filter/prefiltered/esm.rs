@@ -1,5 +1,6 @@
 //! Exponential shadow maps: the mean of an exponential of depth (Annen et al. 2008; Salvi 2008).
 
+use super::blurred;
 use super::prefilter::{ANISOTROPY, BLUR_TEXELS, DOWNSAMPLE, MIP_LEVELS, Prefilter};
 use crate::error::SettingsError;
 use crate::filter::family::Family;
@@ -92,10 +93,10 @@ impl Technique for Exponential {
     }
 
     fn numbers(&self) -> Vec<ShaderNumber> {
-        super::numbers(&self.prefilter, &self.all_moments(), 0.0)
+        blurred::numbers(&self.prefilter, &self.all_moments(), 0.0)
     }
 
     fn visibility(&self, reader: &Reader<'_>, _query: &Query) -> f32 {
-        super::visibility(reader, &self.all_moments(), &self.prefilter)
+        blurred::visibility(reader, &self.all_moments(), &self.prefilter)
     }
 }

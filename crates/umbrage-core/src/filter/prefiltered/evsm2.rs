@@ -1,5 +1,6 @@
 //! Mean and variance of an exponential of depth that grows (Lauritzen & McCool 2008).
 
+use super::blurred;
 use super::evsm::{self, ExponentialVariance};
 use crate::error::SettingsError;
 use crate::filter::bounds::variance;
@@ -67,11 +68,11 @@ impl Technique for GrowingExponential {
 
     fn numbers(&self) -> Vec<ShaderNumber> {
         // Shaders know how deep a map is, and make the variance themselves.
-        super::numbers(&self.0.prefilter, &self.of_variance(0.0), self.0.min_standard_deviation)
+        blurred::numbers(&self.0.prefilter, &self.of_variance(0.0), self.0.min_standard_deviation)
     }
 
     fn visibility(&self, reader: &Reader<'_>, _query: &Query) -> f32 {
         let min_variance = variance(self.0.min_standard_deviation, reader.map.depth_metres());
-        super::visibility(reader, &self.of_variance(min_variance), &self.0.prefilter)
+        blurred::visibility(reader, &self.of_variance(min_variance), &self.0.prefilter)
     }
 }

@@ -1,5 +1,6 @@
 //! Moment shadow maps: four moments of depth (Peters & Klein 2015; Peters et al. 2017).
 
+use super::blurred;
 use super::prefilter::{ANISOTROPY, BLUR_TEXELS, DOWNSAMPLE, MIP_LEVELS, Prefilter};
 use crate::error::SettingsError;
 use crate::filter::bounds::LIGHT_BLEED_REDUCTION;
@@ -126,10 +127,10 @@ impl Technique for FourMoments {
     }
 
     fn numbers(&self) -> Vec<ShaderNumber> {
-        super::numbers(&self.prefilter, &self.all_moments(), 0.0)
+        blurred::numbers(&self.prefilter, &self.all_moments(), 0.0)
     }
 
     fn visibility(&self, reader: &Reader<'_>, _query: &Query) -> f32 {
-        super::visibility(reader, &self.all_moments(), &self.prefilter)
+        blurred::visibility(reader, &self.all_moments(), &self.prefilter)
     }
 }

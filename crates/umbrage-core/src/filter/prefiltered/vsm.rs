@@ -1,5 +1,6 @@
 //! Variance shadow maps: mean and variance of depth (Donnelly & Lauritzen 2006).
 
+use super::blurred;
 use super::prefilter::{ANISOTROPY, BLUR_TEXELS, DOWNSAMPLE, MIP_LEVELS, Prefilter};
 use crate::error::SettingsError;
 use crate::filter::bounds::{LIGHT_BLEED_REDUCTION, MIN_STANDARD_DEVIATION, variance};
@@ -85,11 +86,11 @@ impl Technique for Variance {
 
     fn numbers(&self) -> Vec<ShaderNumber> {
         // Shaders know how deep a map is, and make the variance themselves.
-        super::numbers(&self.prefilter, &self.of_variance(0.0), self.min_standard_deviation)
+        blurred::numbers(&self.prefilter, &self.of_variance(0.0), self.min_standard_deviation)
     }
 
     fn visibility(&self, reader: &Reader<'_>, _query: &Query) -> f32 {
         let min_variance = variance(self.min_standard_deviation, reader.map.depth_metres());
-        super::visibility(reader, &self.of_variance(min_variance), &self.prefilter)
+        blurred::visibility(reader, &self.of_variance(min_variance), &self.prefilter)
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{numbers, over, steps};
+use super::boxes::{numbers, over, steps};
 use crate::error::SettingsError;
 use crate::filter::bounds::LIGHT_BLEED_REDUCTION;
 use crate::filter::family::Family;

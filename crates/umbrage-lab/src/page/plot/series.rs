@@ -156,7 +156,7 @@ fn against_sweep(
         match shape {
             Some(Shape::Line(points)) if points.is_empty() => {}
             Some(shape) => {
-                series.push(Series { variant: index, name: series_name(experiment, index), shape })
+                series.push(Series { variant: index, name: series_name(experiment, index), shape });
             }
             None => {}
         }

@@ -1,24 +1,20 @@
 //! Moments of depth that are blurred before they are read: [`crate::moments`].
 
-pub(super) mod esm;
-pub(super) mod evsm;
-pub(super) mod evsm2;
-pub(super) mod evsm4;
-pub(super) mod msm;
-pub(super) mod prefilter;
-pub(super) mod vsm;
-
 use glam::{Vec2, Vec4};
 
-use self::prefilter::Prefilter;
-use super::shader::ShaderNumber;
+use super::prefilter::Prefilter;
+use crate::filter::shader::ShaderNumber;
 use crate::kernel::gaussian;
 use crate::lookup::reader::Reader;
 use crate::moments::Moments;
 
 /// The numbers of such a filter's shaders, which make moments and read them. A texel of moments knows the slope of what it holds, so that the offset along the
 /// normal covers one texel.
-fn numbers(prefilter: &Prefilter, moments: &Moments, min_standard_deviation: f32) -> Vec<ShaderNumber> {
+pub(super) fn numbers(
+    prefilter: &Prefilter,
+    moments: &Moments,
+    min_standard_deviation: f32,
+) -> Vec<ShaderNumber> {
     let own = [
         ShaderNumber::f32("UMBRAGE_OFFSET_REACH", 1.0),
         ShaderNumber::f32("UMBRAGE_MIN_STANDARD_DEVIATION", min_standard_deviation),
@@ -27,7 +23,7 @@ fn numbers(prefilter: &Prefilter, moments: &Moments, min_standard_deviation: f32
 }
 
 /// How much light the blurred moments around the place let through.
-fn visibility(reader: &Reader<'_>, moments: &Moments, prefilter: &Prefilter) -> f32 {
+pub(super) fn visibility(reader: &Reader<'_>, moments: &Moments, prefilter: &Prefilter) -> f32 {
     moments.visibility(prefiltered(reader, moments, prefilter), reader.depth())
 }
 

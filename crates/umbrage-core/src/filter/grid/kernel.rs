@@ -1,28 +1,23 @@
 //! Comparisons on a grid of texels around the receiver: percentage-closer filtering, Reeves et al. 1987.
 
-pub(super) mod bilinear;
-pub(super) mod hard;
-pub(super) mod optimised;
-pub(super) mod pcf;
-
 use glam::Vec2;
 
-use super::shader::ShaderNumber;
+use crate::filter::shader::ShaderNumber;
 use crate::lookup::reader::Reader;
 
 /// How far a kernel of so many bilinear lookups a side, one texel apart, reaches from its centre, texels.
-fn reach_texels(size: u32) -> f32 {
+pub(super) fn reach_texels(size: u32) -> f32 {
     0.5 * size as f32 + 0.5
 }
 
 /// The numbers of such a kernel's shader.
-fn numbers(size: u32) -> Vec<ShaderNumber> {
+pub(super) fn numbers(size: u32) -> Vec<ShaderNumber> {
     let reach = ShaderNumber::f32("UMBRAGE_OFFSET_REACH", reach_texels(size));
     vec![reach, ShaderNumber::i32("UMBRAGE_KERNEL_SIZE", size.cast_signed())]
 }
 
 /// The mean of bilinear lookups, one texel apart, in rows and columns that weigh so.
-fn kernel(reader: &Reader<'_>, weights: &[f32]) -> f32 {
+pub(super) fn kernel(reader: &Reader<'_>, weights: &[f32]) -> f32 {
     let middle = (weights.len() / 2) as f32;
     let mut sum = 0.0;
     for (y, row) in weights.iter().enumerate() {

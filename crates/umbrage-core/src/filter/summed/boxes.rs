@@ -1,24 +1,25 @@
 //! Boxes of any size, out of a summed-area table of moments (Crow 1984; Lauritzen 2007; Peters et al. 2017).
 
-pub(super) mod mssm;
-pub(super) mod savsm;
-
 use glam::{Vec2, Vec4};
 
-use super::shader::ShaderNumber;
+use crate::filter::shader::ShaderNumber;
 use crate::lookup::reader::Reader;
 use crate::moments::Moments;
 
 /// Steps that make a moment of 1 in a summed-area table of 32-bit whole numbers: as many as let the widest box hold no more
 /// than 2³² − 1.
-fn steps(reach_texels: f32) -> f32 {
+pub(super) fn steps(reach_texels: f32) -> f32 {
     // A box that cuts texels on both sides counts one more.
     let side = f64::from(2.0 * reach_texels).ceil() + 1.0;
     (f64::from(u32::MAX) / (side * side)).floor() as f32
 }
 
 /// The numbers that the shaders of all such filters have.
-fn numbers(steps: f32, moments: &Moments, min_standard_deviation: f32) -> impl Iterator<Item = ShaderNumber> {
+pub(super) fn numbers(
+    steps: f32,
+    moments: &Moments,
+    min_standard_deviation: f32,
+) -> impl Iterator<Item = ShaderNumber> {
     let own = [
         ShaderNumber::f32("UMBRAGE_OFFSET_REACH", 1.0),
         ShaderNumber::f32("UMBRAGE_SUM_SCALE", steps),
@@ -29,7 +30,7 @@ fn numbers(steps: f32, moments: &Moments, min_standard_deviation: f32) -> impl I
 
 /// The mean of moments over a box of such half sides, texels; texels that it cuts count in part. It is summed texel by texel:
 /// slow, and another road than the shaders take.
-fn over(reader: &Reader<'_>, moments: &Moments, radius: Vec2) -> Vec4 {
+pub(super) fn over(reader: &Reader<'_>, moments: &Moments, radius: Vec2) -> Vec4 {
     let size = Vec2::splat(reader.side() as f32);
     let low = (reader.place.texel - radius).clamp(Vec2::ZERO, size);
     let high = (reader.place.texel + radius).clamp(Vec2::ZERO, size);

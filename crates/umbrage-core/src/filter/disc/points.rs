@@ -1,16 +1,11 @@
 //! Comparisons at points of a disc around the receiver (opengl-tutorial 16).
 
-pub(super) mod poisson;
-pub(super) mod rotated;
-pub(super) mod stratified;
-pub(super) mod vogel;
-
 use glam::Vec2;
 
-use super::noise::NoiseSource;
-use super::radius::{self, radius_at};
-use super::shader::ShaderNumber;
 use crate::error::SettingsError;
+use crate::filter::noise::{NOISE, NoiseSource};
+use crate::filter::radius::{self, radius_at};
+use crate::filter::shader::ShaderNumber;
 use crate::kernel::{POISSON, poisson};
 use crate::lookup::reader::Reader;
 use crate::schema::cost::Cost;
@@ -72,22 +67,22 @@ impl Disc {
         if self.centred { 1.0 } else { 1.25 }
     }
 
-    fn reach_texels(&self) -> f32 {
+    pub(super) fn reach_texels(&self) -> f32 {
         self.radius_texels.max(0.5) * self.farthest() + 1.0
     }
 
-    fn offset_reach_texels(&self, texel_metres: f32) -> f32 {
+    pub(super) fn offset_reach_texels(&self, texel_metres: f32) -> f32 {
         self.radius_at(texel_metres) * self.farthest() + 1.0
     }
 
-    fn validate(&self, taps_key: &Key) -> Result<(), SettingsError> {
+    pub(super) fn validate(&self, taps_key: &Key) -> Result<(), SettingsError> {
         let Self { taps, radius, radius_texels, centred: _, noise: _, early_out: _ } = self;
         taps_key.check(*taps)?;
         RADIUS.check_given(*radius)?;
         RADIUS_TEXELS.check(*radius_texels)
     }
 
-    fn numbers(&self, points: Vec<Vec2>) -> Vec<ShaderNumber> {
+    pub(super) fn numbers(&self, points: Vec<Vec2>) -> Vec<ShaderNumber> {
         let whole = Self { taps: POISSON.len() as u32, ..*self };
         let taps = points.len() as u32;
         let own = [
@@ -102,7 +97,12 @@ impl Disc {
     }
 
     /// The mean of comparisons at points; `place` says where one of them lies for this receiver, in radii.
-    fn mean(&self, reader: &Reader<'_>, points: &[Vec2], place: impl Fn(u32, Vec2) -> Vec2) -> f32 {
+    pub(super) fn mean(
+        &self,
+        reader: &Reader<'_>,
+        points: &[Vec2],
+        place: impl Fn(u32, Vec2) -> Vec2,
+    ) -> f32 {
         let Vec2 { x, y } = reader.place.texel_metres;
         let radius = Vec2::new(self.radius_at(x), self.radius_at(y));
         let rim = CORNERS.map(|corner| reader.tap(corner * radius)).iter().sum::<f32>() / 4.0;
@@ -121,7 +121,7 @@ const CORNERS: [Vec2; 4] = {
 };
 
 /// The points of discs that take them from the table.
-const TABLE_TAPS: Key = Key {
+pub(super) const TABLE_TAPS: Key = Key {
     name: "filter.taps",
     label: "points",
     help: "How many points of the table are compared. More of them leave fewer bands or less noise, \
@@ -134,20 +134,20 @@ const TABLE_TAPS: Key = Key {
     ..Key::of(Group::Filter)
 };
 
-const RADIUS: Key = Key {
+pub(super) const RADIUS: Key = Key {
     help: "The radius of the disc, the same in every split. A wider one makes softer edges and more noise.",
     // With a radius of nothing, the offset along the normal need not reach as far.
     costs: &[Cost::Plan, Cost::Shader],
     ..radius::METRES
 };
 
-const RADIUS_TEXELS: Key = Key {
+pub(super) const RADIUS_TEXELS: Key = Key {
     help: "The radius of the disc; where there is one in metres, the most that it may become. \
            A wider one makes softer edges and more noise, and maps keep so much room around what is seen.",
     ..radius::TEXELS
 };
 
-const CENTRED: Key = Key {
+pub(super) const CENTRED: Key = Key {
     name: "filter.centred",
     label: "centred",
     help: "The table's points are moved so that their middle is the receiver. \
@@ -157,7 +157,7 @@ const CENTRED: Key = Key {
     ..Key::of(Group::Filter)
 };
 
-const EARLY_OUT: Key = Key {
+pub(super) const EARLY_OUT: Key = Key {
     name: "filter.early_out",
     label: "early out",
     help: "Four points on the rim are compared first, and the others only where those disagree. \
@@ -168,4 +168,4 @@ const EARLY_OUT: Key = Key {
 };
 
 /// The rows of discs that take their points from the table.
-const TABLE_KEYS: &[Key] = &[TABLE_TAPS, RADIUS, RADIUS_TEXELS, CENTRED, super::noise::NOISE, EARLY_OUT];
+pub(super) const TABLE_KEYS: &[Key] = &[TABLE_TAPS, RADIUS, RADIUS_TEXELS, CENTRED, NOISE, EARLY_OUT];
