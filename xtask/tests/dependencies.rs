@@ -96,6 +96,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "umbrage-viewer",
             "clap",
             "anyhow",
+            "base64",
             "indicatif",
             "serde",
             "serde_json",

@@ -12,7 +12,7 @@ use glam::Vec3;
 
 pub use draw::{DemoArgs, RenderArgs, ViewArgs};
 pub use measure::{BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
-pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WorldsArgs, WorldsCommand};
+pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WgslArgs, WorldsArgs, WorldsCommand};
 
 /// Real-time shadows for large worlds: draw them, plan them, compare them, time them.
 #[derive(Debug, Parser)]
@@ -30,6 +30,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Prints where a camera's depth is cut, and the views it makes; needs no GPU
     Plan(PlanArgs),
+    /// Prints a shader text, for any WGSL compiler; needs no GPU
+    Wgsl(WgslArgs),
     /// Measures how wrong shadows are, against exact ones, and what they cost
     Measure(MeasureArgs),
     /// Times frames along the world's path

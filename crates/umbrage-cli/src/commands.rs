@@ -14,6 +14,7 @@ mod view;
 #[cfg(not(feature = "window"))]
 #[path = "commands/no_view.rs"]
 mod view;
+mod wgsl;
 mod worlds;
 
 use crate::args::Command;
@@ -25,6 +26,7 @@ pub fn run(command: Command) -> Outcome {
         Command::Demo(args) => demo::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Plan(args) => plan::run(&args),
+        Command::Wgsl(args) => wgsl::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Bench(args) => bench::run(&args),

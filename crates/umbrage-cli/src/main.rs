@@ -7,14 +7,17 @@
 
 mod advice;
 mod args;
+mod binding_json;
 mod commands;
 mod contact_sheet;
 mod failure;
 mod label;
 mod output;
 mod pages;
+mod plan_json;
 mod progress;
 mod settings;
+mod stages;
 mod world;
 
 use std::process::ExitCode;

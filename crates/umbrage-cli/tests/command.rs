@@ -59,6 +59,75 @@ fn plan_json_has_the_keys_that_scripts_rely_on() {
 }
 
 #[test]
+fn plan_json_tells_a_foreign_renderer_everything() {
+    let plan = json(&["plan", "closed-room", "--size", "320x180", "--set", "storage=atlas", "--json", "-"]);
+    assert_eq!(plan["picture"], serde_json::json!({ "width": 320, "height": 180 }));
+    assert!(plan["camera"]["near"].as_f64() < plan["camera"]["far"].as_f64(), "{}", plan["camera"]);
+    let light = &plan["lights"][0];
+    assert_eq!(
+        (&light["kind"], &light["first_view"], &light["view_count"]),
+        (&"point".into(), &0.into(), &6.into())
+    );
+    let maps = &plan["maps"];
+    assert_eq!((&maps["layers"], &maps["format"]), (&1.into(), &"depth32float".into()));
+    assert_eq!(maps["compare_sampler"]["compare"], "less-equal");
+    assert_eq!(plan["casters"]["cull_mode"], "none");
+    for view in plan["views"].as_array().expect("views") {
+        let tile = ["layer", "x", "y", "size"].map(|key| view["tile"][key].as_u64().expect("whole"));
+        assert!(tile[1] + tile[3] <= maps["width"].as_u64().expect("whole"), "{tile:?}");
+        assert!(view["spreads"] == true && view["near_metres"].as_f64() > Some(0.0), "{view}");
+        assert_eq!(view["inverse_weight"].as_array().map(Vec::len), Some(3));
+        let planes = view["casters"].as_array().expect("planes");
+        assert!(planes.iter().all(|plane| plane.as_array().is_some_and(|p| p.len() == 4)), "{view}");
+    }
+    let names = |stage: &str| {
+        let bindings = plan["bindings"][stage].as_array().expect("bindings").iter();
+        bindings.map(|binding| binding["name"].as_str().expect("a name").to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(names("caster"), ["umbrage_frame", "umbrage_current_view"]);
+    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_compare"]);
+    let frame = plan["frame"].as_str().expect("base64");
+    assert!(frame.len() > 6 * 128 * 4 / 3 && frame.len().is_multiple_of(4), "{} letters", frame.len());
+}
+
+#[test]
+fn wgsl_prints_every_text_that_settings_have_and_refuses_others_by_name() {
+    let receiver = stdout(&["wgsl", "--group", "2"]);
+    assert!(receiver.contains("fn umbrage_visibility(") && receiver.contains("@group(2) @binding(0)"));
+    assert!(!receiver.contains("import "), "a text is whole");
+    let vsm =
+        ["--set", "filter.kind=vsm", "--set", "bias.depth_layer=midpoint", "--set", "contact.length=0.5"];
+    for (stage, says) in [
+        ("caster", "fn umbrage_caster_position("),
+        ("contact", "fn umbrage_contact("),
+        ("map", "fn umbrage_linear_depth("),
+        ("clear", "fn clear("),
+        ("peel", "fn peel("),
+        ("join", "fn join("),
+        ("convert", "fn convert("),
+        ("across", "fn across("),
+        ("down", "fn down("),
+        ("halve", "fn halve("),
+    ] {
+        let text = stdout(&[&["wgsl", "--stage", stage], &vsm[..]].concat());
+        assert!(text.contains(says), "{stage}: {text}");
+    }
+    refused(&["wgsl", "--stage", "rows"], 2, "no stage `rows`; they have receiver, caster", None);
+}
+
+#[test]
+fn settings_are_told_one_by_one_and_old_names_have_new_ones() {
+    assert!(stdout(&["settings"]).contains("filter.kind"));
+    let sizes = stdout(&["settings", "filter.size"]);
+    assert!(
+        sizes.contains("of pcf: 1, 3, 5, 7 or 9") && sizes.contains("of optimised: 3, 5 or 7"),
+        "{sizes}"
+    );
+    refused(&["settings", "filter.bail"], 2, "`filter.early_out`", None);
+    refused(&["settings", "filter.blur"], 2, "no setting `filter.blur`", None);
+}
+
+#[test]
 fn bench_json_has_the_keys_that_scripts_rely_on() {
     let args = [
         "bench",

@@ -81,3 +81,8 @@ pub fn caster_wgsl() -> String {
 pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32) -> String {
     shaders::receiver(&shaders::ShaderKey::new(settings, capabilities.textures()), group)
 }
+
+/// The README's Rust is compiled as a newcomer would.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -1,10 +1,11 @@
-//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `settings`, `worlds`, `presets`.
+//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `wgsl`, `settings`, `worlds`, `presets`.
 
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
 use super::{ShadowArgs, WorldArgs};
+use crate::stages::{Stage, Textures};
 
 #[derive(Debug, Args)]
 pub struct PlanArgs {
@@ -15,6 +16,24 @@ pub struct PlanArgs {
     /// Write JSON to a file, or to stdout as `-`
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+    /// What the device can do that runs the texts of `umbrage wgsl`: what they bind depends on it
+    #[arg(long, value_enum, default_value_t = Textures::Webgpu)]
+    pub textures: Textures,
+}
+
+#[derive(Debug, Args)]
+pub struct WgslArgs {
+    #[command(flatten)]
+    pub shadows: ShadowArgs,
+    /// Which text
+    #[arg(long, value_enum, default_value_t = Stage::Receiver)]
+    pub stage: Stage,
+    /// The group of its bindings, where the text goes in front of a shader of yours
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub group: u32,
+    /// What the device can do that runs the text
+    #[arg(long, value_enum, default_value_t = Textures::Webgpu)]
+    pub textures: Textures,
 }
 
 #[derive(Debug, Args)]

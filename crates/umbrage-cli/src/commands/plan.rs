@@ -1,36 +1,13 @@
 //! `umbrage plan`: where the camera's depth is cut, and what each view covers.
 
-use serde::Serialize;
-use umbrage::{Light, Projection, Settings, ShadowPlan, Warp};
+use umbrage::{Light, Projection, ShadowPlan, Warp};
 use umbrage_render::Show;
 
 use crate::args::PlanArgs;
 use crate::failure::{Failure, Outcome};
+use crate::plan_json::{About, PlanJson};
+use crate::stages::Stages;
 use crate::{output, settings, world};
-
-/// `umbrage plan --json`.
-#[derive(Serialize)]
-struct Report<'a> {
-    world: &'a str,
-    triangles: usize,
-    settings: &'a Settings,
-    splits: &'a [f64],
-    views: Vec<View>,
-    /// How many times more texels a sun overhead needs than pixels there are: with these splits, and at the least.
-    storage_factor: f64,
-    least_storage_factor: f64,
-    texels: u64,
-    bytes: u64,
-}
-
-#[derive(Serialize)]
-struct View {
-    light: usize,
-    split: usize,
-    clip_from_world: [[f32; 4]; 4],
-    texel_metres: f32,
-    depths: [f32; 2],
-}
 
 pub fn run(args: &PlanArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
@@ -40,36 +17,29 @@ pub fn run(args: &PlanArgs) -> Outcome {
     let lights: Vec<Light> = frame.lights.iter().map(|light| light.light).collect();
     let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::usage)?;
     match &args.json {
-        Some(path) => output::write_json(path, &report(&scene.name, scene.triangles(), &settings, &plan))?,
+        Some(path) => {
+            let about = About {
+                world: &scene.name,
+                triangles: scene.triangles(),
+                storage_factor: storage_factor(&plan, settings.warp),
+                least_storage_factor: least_storage_factor(&plan),
+                picture: [frame.width, frame.height],
+            };
+            output::write_json(path, &PlanJson::new(&about, &plan, &Stages::new(&settings, args.textures)))?;
+        }
         None => output::print(&text(&plan, settings.warp))?,
     }
     Ok(())
 }
 
-fn report<'a>(world: &'a str, triangles: usize, settings: &'a Settings, plan: &'a ShadowPlan) -> Report<'a> {
-    let view = |view: &umbrage::ShadowView| View {
-        light: view.light,
-        split: view.split,
-        clip_from_world: [0, 1, 2, 3].map(|i| view.clip_from_world.row(i).to_array()),
-        texel_metres: view.texel_metres,
-        depths: [view.depths.start, view.depths.end],
-    };
-    Report {
-        world,
-        triangles,
-        settings,
-        splits: plan.splits(),
-        views: plan.views().iter().map(view).collect(),
-        storage_factor: storage_factor(plan, settings.warp),
-        least_storage_factor: umbrage::ideal_storage_factor(depths(plan)) / spread(plan),
-        texels: plan.layout().texels(),
-        bytes: plan.layout().bytes(),
-    }
-}
-
 /// Of a plan's splits, for a sun overhead and a picture as high as wide (Lloyd et al. 2006; Zhang et al. 2006, eq. 1).
 fn storage_factor(plan: &ShadowPlan, warp: Warp) -> f64 {
     umbrage::storage_factor(plan.splits(), warp != Warp::None) / spread(plan)
+}
+
+/// The same at the least, however the view is cut.
+fn least_storage_factor(plan: &ShadowPlan) -> f64 {
+    umbrage::ideal_storage_factor(depths(plan)) / spread(plan)
 }
 
 fn depths(plan: &ShadowPlan) -> std::ops::Range<f64> {
@@ -108,12 +78,14 @@ fn text(plan: &ShadowPlan, warp: Warp) -> String {
         layout.texels(),
         layout.bytes(),
         storage_factor(plan, warp),
-        umbrage::ideal_storage_factor(depths(plan)) / spread(plan)
+        least_storage_factor(plan)
     )
 }
 
 #[cfg(test)]
 mod tests {
+    use umbrage::Settings;
+
     use super::*;
 
     #[test]

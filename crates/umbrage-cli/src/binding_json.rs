@@ -1,0 +1,80 @@
+//! A binding of a shader text as JSON, in WebGPU's words.
+
+use serde::Serialize;
+use umbrage::shaders::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
+
+/// One binding of a group.
+#[derive(Serialize)]
+pub struct BindingJson {
+    binding: u32,
+    /// The variable's name in the text.
+    name: &'static str,
+    #[serde(flatten)]
+    kind: Kind,
+    /// Which stages read it: `vertex`, `fragment`, `compute`.
+    stages: &'static [&'static str],
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+enum Kind {
+    /// A storage buffer that is only read.
+    Storage,
+    Uniform {
+        has_dynamic_offset: bool,
+    },
+    Texture {
+        sample_type: &'static str,
+        view_dimension: &'static str,
+    },
+    /// A texture that is only written.
+    StorageTexture {
+        format: &'static str,
+    },
+    Sampler {
+        sampler_type: &'static str,
+    },
+}
+
+impl From<&Binding> for BindingJson {
+    fn from(of: &Binding) -> Self {
+        let Binding { binding, name, kind, stages } = *of;
+        Self { binding, name, kind: kind_of(kind), stages: stages_of(stages) }
+    }
+}
+
+fn kind_of(kind: BindingKind) -> Kind {
+    match kind {
+        BindingKind::Storage => Kind::Storage,
+        BindingKind::Uniform { has_dynamic_offset } => Kind::Uniform { has_dynamic_offset },
+        BindingKind::Texture { sample, dimension } => Kind::Texture {
+            sample_type: match sample {
+                SampleType::Depth => "depth",
+                SampleType::FilterableFloat => "float",
+                SampleType::Float => "unfilterable-float",
+                SampleType::Uint => "uint",
+            },
+            view_dimension: match dimension {
+                Dimension::D2 => "2d",
+                Dimension::D2Array => "2d-array",
+            },
+        },
+        BindingKind::StorageTexture { format } => Kind::StorageTexture { format: format.wgsl() },
+        BindingKind::Sampler(kind) => Kind::Sampler {
+            sampler_type: match kind {
+                SamplerKind::Comparison => "comparison",
+                SamplerKind::Filtering => "filtering",
+            },
+        },
+    }
+}
+
+fn stages_of(stages: Stages) -> &'static [&'static str] {
+    match stages {
+        Stages::Vertex => &["vertex"],
+        Stages::Fragment => &["fragment"],
+        Stages::VertexAndFragment => &["vertex", "fragment"],
+        Stages::Compute => &["compute"],
+        Stages::FragmentAndCompute => &["fragment", "compute"],
+    }
+}

@@ -1,0 +1,28 @@
+//! `umbrage wgsl`: a shader's text, for any WGSL compiler.
+
+use clap::ValueEnum as _;
+
+use crate::args::WgslArgs;
+use crate::failure::{Failure, Outcome};
+use crate::output::print;
+use crate::settings;
+use crate::stages::{Stage, Stages};
+
+pub fn run(args: &WgslArgs) -> Outcome {
+    let settings = settings::resolve(&args.shadows)?;
+    let stages = Stages::new(&settings, args.textures);
+    let text = stages.text(args.stage, args.group).ok_or_else(|| {
+        let has = |stage: &&Stage| stages.text(**stage, 0).is_some();
+        let names: Vec<String> = Stage::value_variants().iter().filter(has).map(name).collect();
+        Failure::usage(format!(
+            "these settings have no stage `{}`; they have {}",
+            name(&args.stage),
+            names.join(", ")
+        ))
+    })?;
+    Ok(print(&text)?)
+}
+
+fn name(stage: &Stage) -> String {
+    stage.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
