@@ -6,6 +6,7 @@ use crate::contact::Contact;
 use crate::filter::{LightSize, ShaderNumber, Stored};
 use crate::fit::Fit;
 use crate::schema::cost::Cost;
+use crate::settings::bias::BiasNumbers;
 use crate::settings::{Bias, CasterFaces, DepthFormat, DepthLayer, Scheme, Select, Settings, Shade, Storage};
 use crate::warp::Warp;
 
@@ -189,24 +190,13 @@ impl Settings {
             select,
             blend,
             filter,
-            bias:
-                Bias {
-                    raster_constant,
-                    raster_slope,
-                    constant,
-                    slope,
-                    slope_limit,
-                    normal,
-                    receiver_plane,
-                    casters: faces,
-                    depth_layer,
-                    depth_layer_limit,
-                    terminator,
-                },
+            bias,
             contact,
             shade,
         } = *self;
         let flattens = self.flattens_casters();
+        let Bias { receiver_plane, casters: faces, raster_constant, raster_slope, depth_layer, .. } = bias;
+        let BiasNumbers { plan, frame } = bias.numbers();
         let draws_second = depth_layer != DepthLayer::First;
         let stored = filter.stores();
         let mip_levels = match stored {
@@ -233,16 +223,10 @@ impl Settings {
                 select,
                 blend,
                 reach_texels: [filter.reach_texels(), filter.plane_reach_texels(), offset_reach],
-                bias: [constant, slope, slope_limit, normal],
+                bias: plan,
                 receiver_plane,
             },
-            frame: FrameKey {
-                bias: [constant, slope, slope_limit, normal, terminator, depth_layer_limit],
-                depth,
-                blend,
-                light_size: filter.light_size(),
-                shade,
-            },
+            frame: FrameKey { bias: frame, depth, blend, light_size: filter.light_size(), shade },
             receiver: ReceiverKey {
                 filter: filter.kind(),
                 numbers: filter.numbers(),

@@ -73,6 +73,14 @@ pub enum DepthLayer {
     Dual,
 }
 
+/// The numbers of a bias, by what depends on them.
+pub(crate) struct BiasNumbers {
+    /// What plans depend on.
+    pub plan: [f32; 4],
+    /// What is uploaded with each frame.
+    pub frame: [f32; 6],
+}
+
 impl Default for Bias {
     fn default() -> Self {
         Self {
@@ -92,6 +100,28 @@ impl Default for Bias {
 }
 
 impl Bias {
+    /// The numbers, by what depends on them. The other fields choose pipelines and maps. Every field is named, so that a
+    /// new one finds its place.
+    pub(crate) fn numbers(&self) -> BiasNumbers {
+        let Self {
+            raster_constant: _,
+            raster_slope: _,
+            constant,
+            slope,
+            slope_limit,
+            normal,
+            receiver_plane: _,
+            casters: _,
+            depth_layer: _,
+            depth_layer_limit,
+            terminator,
+        } = *self;
+        BiasNumbers {
+            plan: [constant, slope, slope_limit, normal],
+            frame: [constant, slope, slope_limit, normal, terminator, depth_layer_limit],
+        }
+    }
+
     /// No bias of any kind.
     pub const NONE: Self = Self {
         raster_constant: 0,
