@@ -4,7 +4,7 @@ use umbrage_core::{CasterFaces, CasterKey};
 
 use umbrage_wgsl::peel;
 
-use crate::maps::texture_format;
+use crate::depth_pipeline::texture_format;
 
 /// The caller's half of a caster pipeline: how vertices reach world space.
 #[derive(Clone, Debug)]

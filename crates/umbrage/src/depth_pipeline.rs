@@ -2,7 +2,6 @@
 
 use umbrage_core::DepthFormat;
 
-use crate::maps::texture_format;
 use crate::objects::Objects;
 
 /// What such a pipeline is made of.
@@ -50,4 +49,12 @@ pub(crate) fn depth_pipeline(objects: &Objects<'_>, of: &DepthPipeline<'_>) -> w
         multiview_mask: None,
         cache: None,
     })
+}
+
+/// The format of the maps' texels, as wgpu calls it.
+pub(crate) fn texture_format(depth: DepthFormat) -> wgpu::TextureFormat {
+    match depth {
+        DepthFormat::F32 => wgpu::TextureFormat::Depth32Float,
+        DepthFormat::U16 => wgpu::TextureFormat::Depth16Unorm,
+    }
 }

@@ -35,6 +35,7 @@ mod contact;
 mod depth_pipeline;
 mod error;
 mod filtered;
+mod filtered_textures;
 mod frame;
 mod layers;
 mod maps;

@@ -4,7 +4,7 @@ use umbrage_core::{DepthFormat, MapLayout, MapTexels, ShadowView, Tile};
 use umbrage_wgsl::clear;
 
 use crate::capabilities::Capabilities;
-use crate::depth_pipeline::{DepthPipeline, depth_pipeline};
+use crate::depth_pipeline::{DepthPipeline, depth_pipeline, texture_format};
 use crate::error::{DeviceError, ShadowError};
 use crate::objects::Objects;
 
@@ -229,12 +229,4 @@ fn go_to(pass: &mut wgpu::RenderPass<'_>, tile: Tile) {
     let Tile { layer: _, x, y, size } = tile;
     pass.set_viewport(x as f32, y as f32, size as f32, size as f32, 0.0, 1.0);
     pass.set_scissor_rect(x, y, size, size);
-}
-
-/// What a texel of the texture is.
-pub(crate) fn texture_format(depth: DepthFormat) -> wgpu::TextureFormat {
-    match depth {
-        DepthFormat::F32 => wgpu::TextureFormat::Depth32Float,
-        DepthFormat::U16 => wgpu::TextureFormat::Depth16Unorm,
-    }
 }

@@ -5,7 +5,8 @@ use umbrage_wgsl::{ShaderKey, caster_bindings, receiver_bindings};
 
 use crate::bindings;
 use crate::capabilities::Capabilities;
-use crate::filtered::{Filtered, Source};
+use crate::filtered::Filtered;
+use crate::filtered_textures::Source;
 use crate::frame::FrameBuffers;
 use crate::layers::Layers;
 use crate::maps::{Maps, clear_pipeline};

@@ -8,7 +8,7 @@ use umbrage_core::{Prefilter, ShadowPlan};
 use umbrage_wgsl::MomentSteps;
 
 use crate::compute::{Kernel, KernelOn};
-use crate::filtered::{Extent, Source, Textures};
+use crate::filtered_textures::{Extent, Source, Textures};
 
 /// Moments of all views, and the steps that make them.
 #[derive(Clone, Debug)]

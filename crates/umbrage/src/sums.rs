@@ -7,7 +7,7 @@ use umbrage_core::ShadowPlan;
 use umbrage_wgsl::SumSteps;
 
 use crate::compute::{Kernel, KernelOn};
-use crate::filtered::{Extent, Source, Textures};
+use crate::filtered_textures::{Extent, Source, Textures};
 
 /// Sums of all views, and the steps that make them.
 #[derive(Clone, Debug)]
