@@ -32,7 +32,7 @@ pub struct PlanJson<'a> {
     frame: String,
     /// How many times more texels a sun overhead needs than pixels there are: with these splits, and at the least.
     storage_factor: f64,
-    least_storage_factor: f64,
+    min_storage_factor: f64,
     texels: u64,
     bytes: u64,
 }
@@ -42,7 +42,7 @@ pub struct About<'a> {
     pub world: &'a str,
     pub triangles: usize,
     pub storage_factor: f64,
-    pub least_storage_factor: f64,
+    pub min_storage_factor: f64,
     pub picture: [u32; 2],
 }
 
@@ -146,7 +146,7 @@ struct Tile {
 
 impl<'a> PlanJson<'a> {
     pub fn new(about: &About<'a>, plan: &'a ShadowPlan, stages: &Stages<'_>) -> Self {
-        let About { world, triangles, storage_factor, least_storage_factor, picture } = *about;
+        let About { world, triangles, storage_factor, min_storage_factor, picture } = *about;
         let (settings, layout) = (plan.settings(), plan.layout());
         let map_size = [layout.width, layout.height];
         let mut frame = FrameBytes::default();
@@ -168,7 +168,7 @@ impl<'a> PlanJson<'a> {
             bindings: bindings.collect(),
             frame: base64::prelude::BASE64_STANDARD.encode(frame.write(plan, settings, map_size, picture)),
             storage_factor,
-            least_storage_factor,
+            min_storage_factor,
             texels: layout.texels(),
             bytes: layout.bytes(),
         }

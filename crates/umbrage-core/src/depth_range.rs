@@ -26,7 +26,7 @@ impl DepthRange {
         }
     }
 
-    /// From where to where the map goes: with a margin, and back to all casters where they are not flattened.
+    /// The depths at which the map begins and ends: with a margin, and back to all casters where they are not flattened.
     pub fn resolve(&self, input: &ViewInput<'_>, space: &LightSpace, texel_metres: f64) -> Range<f64> {
         let receivers = match self {
             Self::OfReceivers(metres) => metres,

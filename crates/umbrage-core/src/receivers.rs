@@ -35,7 +35,7 @@ impl ViewInput<'_> {
 pub(crate) struct Receivers {
     /// What the slice shares with a punctual light's frustum; under a sun the slice.
     pub lit_slice: ConvexBody,
-    /// What of that lies in the box of the world: all receivers lie in this body, which may be empty.
+    /// The part of it that lies in the box of the world: all receivers lie in this body, which may be empty.
     pub body: ConvexBody,
 }
 

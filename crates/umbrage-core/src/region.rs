@@ -16,7 +16,7 @@ use crate::space::LightSpace;
 pub(crate) struct Region<'a> {
     /// The light space in which it is given.
     pub space: LightSpace,
-    /// What of the map's plane it covers.
+    /// The part of the map's plane that it covers.
     pub area: Area<'a>,
     /// How deep it is along the light's axis.
     pub depths: DepthRange,

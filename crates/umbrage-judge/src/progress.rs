@@ -26,7 +26,7 @@ pub struct Progress {
     tiles: Tiles,
     /// What the eye meets, in the order of tracing. Receivers follow from it, and are three times as large.
     hits: Vec<Option<Hit>>,
-    /// Of each light, in the order of the picture.
+    /// The pixels of each light, in the order of the picture.
     pixels: Vec<Vec<Option<Pixel>>>,
 }
 

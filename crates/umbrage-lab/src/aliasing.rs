@@ -37,7 +37,7 @@ pub struct AliasingSummary {
 }
 
 impl Aliasing {
-    /// Of one light's views. `truth` says which surface each pixel shows, and which are judged.
+    /// Measures the texels of one light's views. `truth` says which surface each pixel shows, and which are judged.
     pub(crate) fn new(plan: &ShadowPlan, settings: &Settings, light: usize, truth: &Truth) -> Self {
         let (width, height) = (truth.eye.width, truth.eye.height);
         let reads: Vec<Option<Read>> = truth

@@ -52,7 +52,7 @@ pub(crate) struct SceneUniform {
 pub(crate) struct View<'a> {
     pub camera: &'a Camera,
     pub lights: &'a [FrameLight],
-    /// Of the picture, pixels.
+    /// The width and height of the picture, pixels.
     pub size: [u32; 2],
     /// Whose visibility is shown, where one is.
     pub shown_light: usize,

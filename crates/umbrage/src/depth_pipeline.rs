@@ -8,7 +8,7 @@ use crate::objects::Objects;
 pub(crate) struct DepthPipeline<'a> {
     pub label: &'a str,
     pub module: &'a wgpu::ShaderModule,
-    /// Of the vertex shader, and of the fragment shader where there is one.
+    /// The names of the vertex shader, and of the fragment shader where there is one.
     pub entry_points: (&'a str, Option<&'a str>),
     pub group: Option<&'a wgpu::BindGroupLayout>,
     pub depth: DepthFormat,

@@ -68,7 +68,7 @@ impl Textures {
         layer_view(objects, &self.made, layer, level)
     }
 
-    /// Of everything.
+    /// The size of all textures, scratch included, bytes.
     pub fn bytes(&self) -> u64 {
         let Extent { format, size, layers, levels, scratch_side } = self.extent;
         let texels_of =

@@ -74,7 +74,7 @@ impl Layers {
         }
     }
 
-    /// Of both surfaces.
+    /// The size of the maps of both surfaces, bytes.
     pub fn bytes(&self) -> u64 {
         self.first.layout.bytes() + self.second.layout.bytes()
     }

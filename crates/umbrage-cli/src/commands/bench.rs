@@ -33,7 +33,7 @@ struct Report<'a> {
     /// The same frames drawn otherwise, one after the other in the same run.
     #[serde(skip_serializing_if = "Option::is_none")]
     baselines: Option<Baselines>,
-    /// Of the last frame.
+    /// The views of the last frame.
     views: Vec<View>,
     /// Every timed frame, in order: plan, casters, shade, frame, filter.
     every_frame: Vec<[f64; 5]>,

@@ -22,7 +22,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
                 world: &scene.name,
                 triangles: scene.triangles(),
                 storage_factor: storage_factor(&plan, settings.warp),
-                least_storage_factor: least_storage_factor(&plan),
+                min_storage_factor: min_storage_factor(&plan),
                 picture: [frame.width, frame.height],
             };
             output::write_json(path, &PlanJson::new(&about, &plan, &Stages::new(&settings, args.textures)))?;
@@ -32,13 +32,13 @@ pub fn run(args: &PlanArgs) -> Outcome {
     Ok(())
 }
 
-/// Of a plan's splits, for a sun overhead and a picture as high as wide (Lloyd et al. 2006; Zhang et al. 2006, eq. 1).
+/// The storage factor of a plan's splits, for a sun overhead and a picture as high as wide (Lloyd et al. 2006; Zhang et al. 2006, eq. 1).
 fn storage_factor(plan: &ShadowPlan, warp: Warp) -> f64 {
     umbrage::storage_factor(plan.splits(), warp != Warp::None) / spread(plan)
 }
 
 /// The same at the least, however the view is cut.
-fn least_storage_factor(plan: &ShadowPlan) -> f64 {
+fn min_storage_factor(plan: &ShadowPlan) -> f64 {
     umbrage::ideal_storage_factor(depths(plan)) / spread(plan)
 }
 
@@ -78,7 +78,7 @@ fn text(plan: &ShadowPlan, warp: Warp) -> String {
         layout.texels(),
         layout.bytes(),
         storage_factor(plan, warp),
-        least_storage_factor(plan)
+        min_storage_factor(plan)
     )
 }
 

@@ -24,7 +24,7 @@ pub(crate) struct Cutter {
     margin: f64,
 }
 
-/// Of a body with that many faces, each edge counted for both of its faces.
+/// The most edges of a body with that many faces, each edge counted for both of its faces.
 const MAX_EDGES: usize = 6 * MAX_FACES;
 
 /// How a box lies to a slice.

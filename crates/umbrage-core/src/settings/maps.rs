@@ -51,9 +51,9 @@ pub enum Storage {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Select {
-    /// By view depth.
+    /// The view is the one whose slice holds the view depth of the receiver.
     Depth,
-    /// By the camera's clip depth (Zhang et al. 2006, eq. 8, corrected).
+    /// The same, by the camera's clip depth (Zhang et al. 2006, eq. 8, corrected).
     ClipDepth,
     /// The finest view whose map holds the whole filter footprint.
     Map,

@@ -49,7 +49,7 @@ pub(crate) fn stand_ins(x: u32, y: u32) -> impl Iterator<Item = (u32, u32)> {
 pub(crate) struct Tiles {
     width: u32,
     height: u32,
-    /// Of a tile, steps.
+    /// The side of a tile, steps.
     side: u32,
     /// That of the next pass, pixels; 0 after the last.
     step: u32,

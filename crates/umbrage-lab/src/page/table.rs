@@ -47,7 +47,7 @@ pub(super) enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     Plain(String),
-    /// Of less weight than what it follows.
+    /// Text of less weight than what it follows.
     Small(String),
     /// The best of its column.
     Best(String),

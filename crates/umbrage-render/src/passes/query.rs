@@ -22,9 +22,9 @@ pub struct Point {
 /// What all points have in common.
 #[derive(Clone, Copy, Debug, ShaderType)]
 pub(crate) struct Query {
-    /// Of the frame's camera: filters take noise from where a point lies in the picture.
+    /// The matrix of the frame's camera: filters take noise from where a point lies in the picture.
     pub clip_from_world: Mat4,
-    /// Of the frame's picture, pixels.
+    /// The width and height of the frame's picture, pixels.
     pub size: Vec2,
     pub light: u32,
 }

@@ -12,7 +12,7 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 pub(super) enum Scale {
     /// As they are.
     Linear,
-    /// By their decimal logarithm; what is not above 0 stands before all others.
+    /// Values stand by their decimal logarithm; what is not above 0 stands before all others.
     Logarithmic,
     /// Names, evenly spaced: values are their indices.
     Names(Vec<String>),
@@ -49,7 +49,7 @@ const MAX_TICKS: usize = 8;
 const MARGIN: f64 = 0.05;
 
 impl Axis {
-    /// Of finite values. `wanted` are values in rising order that marks should stand at, if a logarithmic axis has room for
+    /// The axis of finite values. `wanted` are values in rising order that marks should stand at, if a logarithmic axis has room for
     /// them.
     pub(super) fn of(values: &[f64], wanted: &[f64], scale: &Scale, direction: Direction) -> Self {
         let least = |values: &mut dyn Iterator<Item = f64>| values.min_by(f64::total_cmp);

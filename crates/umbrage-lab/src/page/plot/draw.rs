@@ -14,10 +14,10 @@ use super::labels::{Box4, place};
 use super::mark::{CIRCLE_RADIUS, Mark};
 use super::series::{Chart, Point, Series, Shape};
 
-/// Of the SVG, in its own pixels.
+/// The width and height of the SVG, in its own pixels.
 const SIZE_PX: (u32, u32) = (1240, 760);
 
-/// Of the letters.
+/// The size of the letters, pixels of the SVG.
 const TEXT_PX: i32 = 26;
 
 /// The library divides font sizes by this before it writes them.

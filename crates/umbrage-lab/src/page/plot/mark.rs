@@ -28,7 +28,7 @@ pub(super) struct Mark {
 }
 
 impl Mark {
-    /// Of the variant with an index. Thirty variants differ; then they come again.
+    /// The mark of the variant with an index. Thirty variants differ; then they come again.
     pub(super) fn of(variant: usize) -> Self {
         Self { colour: COLOURS[variant % COLOURS.len()], corners: SHAPES[variant % SHAPES.len()] }
     }
