@@ -1,7 +1,7 @@
 //! Which panel stands where, and which windows lie over the picture.
 //!
 //! A panel takes what it shows. Widgets change the [`ViewState`](crate::view_state::ViewState) that they are bound to;
-//! everything else that people ask for is returned as an [`Action`].
+//! everything else that people ask for is returned as an `Action`.
 
 pub mod settings;
 
