@@ -76,6 +76,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "open",
             "pollster",
             "rfd",
+            "serde",
             "toml",
             "web-time",
             "wgpu",
