@@ -6,7 +6,7 @@ use crate::contact::Contact;
 use crate::filter::{LightSize, ShaderNumber, Stored};
 use crate::fit::Fit;
 use crate::schema::cost::Cost;
-use crate::settings::bias::BiasNumbers;
+use crate::settings::bias::{BiasNumbers, FrameBias, PlanBias};
 use crate::settings::{Bias, CasterFaces, DepthFormat, DepthLayer, Scheme, Select, Settings, Shade, Storage};
 use crate::warp::Warp;
 
@@ -86,14 +86,14 @@ struct PlanKey<'a> {
     blend: f32,
     /// How far lookups reach: of the filter, of the receiver's plane, of the offset along the normal.
     reach_texels: [f32; 3],
-    bias: [f32; 4],
+    bias: PlanBias,
     receiver_plane: bool,
 }
 
 /// What is uploaded with each frame.
 #[derive(Debug, PartialEq)]
 struct FrameKey {
-    bias: [f32; 6],
+    bias: FrameBias,
     depth: DepthFormat,
     blend: f32,
     light_size: Option<LightSize>,

@@ -73,12 +73,16 @@ pub enum DepthLayer {
     Dual,
 }
 
+/// What plans depend on, of a bias.
+pub(crate) type PlanBias = [f32; 4];
+
+/// What is uploaded with each frame, of a bias.
+pub(crate) type FrameBias = [f32; 6];
+
 /// The numbers of a bias, by what depends on them.
 pub(crate) struct BiasNumbers {
-    /// What plans depend on.
-    pub plan: [f32; 4],
-    /// What is uploaded with each frame.
-    pub frame: [f32; 6],
+    pub plan: PlanBias,
+    pub frame: FrameBias,
 }
 
 impl Default for Bias {
