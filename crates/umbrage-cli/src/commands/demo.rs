@@ -32,7 +32,7 @@ const WORDS: u32 = 7 * LINE;
 /// As many maps as a picture is wide.
 const MOST_VIEWS: usize = 4;
 
-/// How often a picture is drawn for its times.
+/// A picture is drawn so many times to be timed.
 const RUNS: u32 = 5;
 
 /// What the rows are, in the column that has no shadow maps to show.

@@ -47,7 +47,7 @@ fn depths(plan: &ShadowPlan) -> std::ops::Range<f64> {
     splits[0]..splits[splits.len() - 1]
 }
 
-/// How much wider the view gets a metre of depth; 1 where it does not.
+/// Returns how much wider the view gets a metre of depth; 1 where it does not.
 fn spread(plan: &ShadowPlan) -> f64 {
     match plan.camera().projection() {
         Projection::Perspective { fov_y, .. } => 2.0 * (0.5 * f64::from(fov_y)).tan(),

@@ -55,7 +55,7 @@ pub fn run(args: &RenderArgs) -> Outcome {
     Ok(())
 }
 
-/// How much of a light reaches each pixel, 0 to 1.
+/// Returns how much of a light reaches each pixel, 0 to 1.
 fn visibility(
     renderer: &mut Renderer,
     frame: &Frame,

@@ -66,7 +66,7 @@ fn chapter(world: &World, scene: &Scene) -> String {
     text
 }
 
-/// How many lights of which kind: `1 sun`, `12 spots`.
+/// Says how many lights there are of which kind: `1 sun`, `12 spots`.
 fn lights(scene: &Scene) -> String {
     let name = |kind: &LightKind| match kind {
         LightKind::Directional => "sun",
