@@ -9,6 +9,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
+use umbrage_render::Exposure;
 
 pub use draw::{DemoArgs, RenderArgs, ViewArgs};
 pub use measure::{BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
@@ -111,11 +112,37 @@ pub struct ShadowArgs {
     pub set: Vec<String>,
 }
 
+/// How bright pictures are, and what the air is like.
+#[derive(Clone, Debug, Args)]
+pub struct LookArgs {
+    /// How much brighter than the scene asks for, stops: each doubles the light, -1 halves it
+    #[arg(long, value_name = "STOPS", default_value_t = 0.0, value_parser = parse::stops, allow_negative_numbers = true)]
+    pub exposure: f32,
+    /// Expose for so much light, lux, instead of metering it from the scene: full sun 100000, an office 500, the built-in
+    /// worlds' sun 3
+    #[arg(long, value_name = "LUX", value_parser = parse::lux, allow_negative_numbers = true)]
+    pub exposed_for: Option<f32>,
+    /// Clear air: without it, haze takes colour from what is far in a scene with a sun
+    #[arg(long)]
+    pub no_haze: bool,
+    /// A picture of everything around, which lights the scene and is seen behind it: equirectangular, .hdr (or a .png or
+    /// .jpg), its middle along -Z
+    #[arg(long, value_name = "FILE.hdr")]
+    pub environment: Option<PathBuf>,
+}
+
 #[derive(Debug, Args)]
 pub struct AdapterArgs {
     /// Part of an adapter's name, backend or driver (see `umbrage adapters`)
     #[arg(long, value_name = "NAME")]
     pub adapter: Option<String>,
+}
+
+impl LookArgs {
+    /// The exposure that is asked for.
+    pub fn exposure(&self) -> Exposure {
+        Exposure { stops: self.exposure, lux: self.exposed_for }
+    }
 }
 
 #[cfg(test)]

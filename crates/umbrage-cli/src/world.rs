@@ -2,9 +2,9 @@
 
 use umbrage_lab::{LabError, Shot};
 use umbrage_render::{Frame, Show};
-use umbrage_scene::{Camera, Lens, Light, Scene};
+use umbrage_scene::{Camera, Lens, Light, Scene, load_environment};
 
-use crate::args::WorldArgs;
+use crate::args::{LookArgs, WorldArgs};
 use crate::failure::{Failure, Outcome};
 
 /// A built-in world, or one from a file. What the file's importer warns of goes to stderr.
@@ -17,6 +17,13 @@ pub fn load(name: &str, seed: u64) -> Outcome<Scene> {
         eprintln!("warning: {warning}");
     }
     Ok(imported.scene)
+}
+
+/// The same, with what the command line says lies around it.
+pub fn load_with(name: &str, seed: u64, look: &LookArgs) -> Outcome<Scene> {
+    let environment =
+        look.environment.as_deref().map(load_environment).transpose().map_err(Failure::usage)?;
+    Ok(Scene { environment, ..load(name, seed)? })
 }
 
 /// Size of a picture where the command line does not say, pixels.

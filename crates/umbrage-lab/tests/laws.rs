@@ -27,6 +27,7 @@ fn half_plane(degrees: f32, distance: f32) -> Scene {
         positions: corners.to_vec(),
         normals: vec![Vec3::Y; 4],
         uvs: vec![glam::Vec2::ZERO; 4],
+        colours: Vec::new(),
         indices: vec![0, 1, 2, 0, 2, 3],
         material: 0,
     };

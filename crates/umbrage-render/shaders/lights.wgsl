@@ -1,16 +1,24 @@
-// What a light adds to a surface. It needs `scene.wgsl`.
+// What a light sends to a surface. It needs `scene.wgsl`.
 
-/// What a light adds to a surface with a unit normal where nothing is in its way.
-fn light_of(light: Light, position: vec3f, normal: vec3f) -> vec3f {
+/// Light that arrives somewhere.
+struct Arriving {
+    /// Unit, to where it comes from.
+    direction: vec3f,
+    /// What a white surface that faces it sends back, linear RGB.
+    colour: vec3f,
+}
+
+/// What a light sends to a place where nothing is in its way.
+fn arriving_light(light: Light, position: vec3f) -> Arriving {
     if light.place.w == 0.0 {
-        return light.colour * max(dot(normal, light.place.xyz), 0.0);
+        return Arriving(light.place.xyz, light.colour);
     }
     let toward = light.place.xyz - position;
-    let square = max(dot(toward, toward), 1e-6);
+    let square = max(dot(toward, toward), 1e-12);
     let direction = toward * inverseSqrt(square);
     // As KHR_lights_punctual has it.
     let reach = square / (light.range * light.range);
     let window = clamp(1.0 - reach * reach, 0.0, 1.0);
     let cone = clamp(dot(light.axis, -direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
-    return light.colour * (max(dot(normal, direction), 0.0) * window * cone * cone / square);
+    return Arriving(direction, light.colour * (window * cone * cone / square));
 }

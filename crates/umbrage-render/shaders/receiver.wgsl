@@ -15,6 +15,10 @@ fn receiver(
     @location(2) uv: vec2f,
     @location(3) instance: u32,
 ) -> Receiver {
+    return placed_receiver(position, normal, uv, instance);
+}
+
+fn placed_receiver(position: vec3f, normal: vec3f, uv: vec2f, instance: u32) -> Receiver {
     let world_from_mesh = instances[instance];
     let world = (world_from_mesh * vec4f(position, 1.0)).xyz;
     // Normals go with the cofactors, which is right under any scale; a mirror turns them over.
@@ -36,4 +40,10 @@ fn geometric_normal(from_eye: vec3f) -> vec3f {
     let normal = cross(dpdx(from_eye), dpdy(from_eye));
     let turned = normal * -sign(dot(normal, from_eye));
     return turned * inverseSqrt(max(dot(turned, turned), 1e-30));
+}
+
+/// Unit normal of the vertices, on the side of a geometric normal.
+fn smooth_normal(receiver: Receiver, facing: vec3f) -> vec3f {
+    let normal = receiver.normal * inverseSqrt(max(dot(receiver.normal, receiver.normal), 1e-30));
+    return select(-normal, normal, dot(normal, facing) >= 0.0);
 }

@@ -1,7 +1,8 @@
-// Receivers as they are. It needs `material.wgsl` and `surface.wgsl`.
+// The fragment shader of surfaces. It needs `material.wgsl`, `matte.wgsl` or `glossy.wgsl`, and `painted`, which says what is
+// drawn onto them.
 
 @fragment
 fn shade(receiver: Receiver) -> @location(0) vec4f {
-    let texture = textureSample(base_texture, base_sampler, receiver.uv);
-    return seen_surface(base_colour.rgb * texture.rgb, receiver, geometric_normal(receiver.from_eye));
+    let facing = geometric_normal(receiver.from_eye);
+    return seen_surface(painted(base_colour(receiver), receiver, facing), receiver, facing);
 }

@@ -1,12 +1,4 @@
-// The sky behind the scene. It needs `scene.wgsl`, `sky_light.wgsl` and `tone.wgsl`.
-
-/// What the sky shows in a direction: its light, and a glow around the sun.
-fn sky_seen(direction: vec3f) -> vec3f {
-    let toward = max(dot(direction, scene.direction_to_sun), 0.0);
-    let glow = 0.25 * pow(toward, 24.0) + 0.6 * pow(toward, 400.0);
-    let disc = 12.0 * smoothstep(0.99994, 0.99998, toward);
-    return sky_light(direction) + scene.sun * (glow + disc) * 0.35;
-}
+// The sky behind the scene. It needs `scene.wgsl`, `sky_light.wgsl` or `environment.wgsl`, and `tone.wgsl`.
 
 struct Sky {
     @builtin(position) clip: vec4f,

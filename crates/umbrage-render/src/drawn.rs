@@ -8,6 +8,7 @@ use umbrage::{Camera, ShadowPlan};
 use crate::buffers::Growing;
 use crate::draws::{Draw, DrawLists};
 use crate::error::RenderError;
+use crate::exposure::Exposure;
 use crate::gpu::Gpu;
 use crate::light::FrameLight;
 use crate::picture::{ComingPicture, Picture};
@@ -46,6 +47,8 @@ pub(crate) struct Planned {
     pub seconds: f32,
     pub size: [u32; 2],
     pub samples: u32,
+    pub exposure: Exposure,
+    pub haze: bool,
     /// A list for each of the plan's views, then one for the camera.
     pub lists: DrawLists,
     pub numbers: Growing,

@@ -235,7 +235,8 @@ mod tests {
         let positions: Vec<Vec3> = (0..count).flat_map(|i| corners.map(|c| c + Vec3::X * i as f32)).collect();
         let normals = vec![Vec3::Y; positions.len()];
         let uvs = vec![Vec2::ZERO; positions.len()];
-        Primitive { normals, uvs, indices: (0..positions.len() as u32).collect(), positions, material }
+        let indices = (0..positions.len() as u32).collect();
+        Primitive { normals, uvs, indices, positions, material, ..Primitive::default() }
     }
 
     fn scene() -> Scene {

@@ -4,6 +4,7 @@ use umbrage::Camera;
 
 use crate::convert;
 use crate::error::RenderError;
+use crate::exposure::Exposure;
 use crate::light::FrameLight;
 
 /// Says what to draw.
@@ -25,6 +26,11 @@ pub struct Frame {
     pub samples: u32,
     /// What the picture shows.
     pub show: Show,
+    /// How bright shaded pictures are. Default: as the scene asks for.
+    pub exposure: Exposure,
+    /// Whether haze takes colour from what is far, in scenes with a sun. It is as thick as the world is small, so that a model
+    /// looks the same at any scale. Default: it does.
+    pub haze: bool,
 }
 
 /// What a picture shows.
@@ -72,7 +78,18 @@ impl Frame {
     ) -> Result<Self, RenderError> {
         let camera = convert::camera(camera, width as f32 / height as f32)?;
         let lights = lights.iter().map(|light| FrameLight::at(light, seconds)).collect::<Result<_, _>>()?;
-        Ok(Self { camera, planned_for: None, lights, seconds, width, height, samples: 1, show })
+        Ok(Self {
+            camera,
+            planned_for: None,
+            lights,
+            seconds,
+            width,
+            height,
+            samples: 1,
+            show,
+            exposure: Exposure::default(),
+            haze: true,
+        })
     }
 }
 

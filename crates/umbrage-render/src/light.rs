@@ -11,7 +11,7 @@ use crate::error::RenderError;
 pub struct FrameLight {
     /// The light that shadows are planned for.
     pub light: Light,
-    /// Linear RGB: of a sun, on a surface that faces it; of a spot or point light, the same at a distance of one metre.
+    /// Linear RGB times the intensity: lux of a sun, on a surface that faces it; candela of a spot or point light.
     pub colour: Vec3,
     /// The angles from a spot's axis at which its light begins to fade, and ends, radians; 0 of other lights.
     pub cone: [f32; 2],
@@ -33,16 +33,9 @@ impl FrameLight {
             }
             LightKind::Point { range } => (Light::point(position, range)?, [0.0; 2]),
         };
-        let strength = match light.kind {
-            LightKind::Directional => SUN_LIGHT,
-            LightKind::Spot { .. } | LightKind::Point { .. } => light.intensity,
-        };
-        Ok(Self { light: shadows, colour: light.colour * strength, cone })
+        Ok(Self { light: shadows, colour: light.colour * light.intensity, cone })
     }
 }
 
 /// A file's spot may shine on half of the world; no one map holds that, and the last tenth of a degree is given up.
 pub(crate) const WIDEST_HALF_ANGLE: f32 = std::f32::consts::FRAC_PI_2 - 1e-3;
-
-/// The light of any sun on a surface that faces it, before tone mapping. Pictures are exposed for it.
-const SUN_LIGHT: f32 = 2.6;

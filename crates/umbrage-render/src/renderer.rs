@@ -15,6 +15,7 @@ use crate::buffers::Growing;
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
 use crate::draws::{Draw, DrawLists, Materials, PartTable};
 use crate::error::RenderError;
+use crate::exposure::Exposure;
 use crate::frame::{Frame, Show};
 use crate::gpu::Gpu;
 use crate::passes::casters::{Casters, Surface};
@@ -230,6 +231,8 @@ impl Renderer {
                 seconds: 0.0,
                 size: [0, 0],
                 samples: 1,
+                exposure: Exposure::default(),
+                haze: true,
                 lists: DrawLists::default(),
                 numbers: Growing::new(gpu, "instance numbers", wgpu::BufferUsages::VERTEX)?,
                 loads: Vec::new(),
@@ -244,6 +247,7 @@ impl Renderer {
             planned.lights.clone_from(&frame.lights);
             planned.seconds = frame.seconds;
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
+            (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
             list(planned, parts, cull_parts);
             planned.numbers.write(gpu, bytemuck::cast_slice(planned.lists.instances()))?;
             planned.maps = MapsId::new();

@@ -1,14 +1,15 @@
 //! A scene on the GPU: one buffer a vertex stream, one of indices, one of instances, a bind group a material.
 
-use encase::{ShaderType, UniformBuffer};
-use glam::Vec4;
-use umbrage_scene::{Scene, Texture};
+use umbrage_scene::{Material, Scene};
 
-use crate::buffers::{binding, filled};
+use crate::buffers::filled;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
+use crate::materials::Materials;
 use crate::placement::Placement;
-use crate::textures;
+use crate::shaders::Finish;
+use crate::surroundings::Surroundings;
+use crate::vertex_colours::VertexColours;
 
 /// What is bound once for a whole scene.
 #[derive(Debug)]
@@ -19,13 +20,10 @@ pub(crate) struct SceneBuffers {
     pub attributes: wgpu::Buffer,
     pub indices: wgpu::Buffer,
     pub placement: Placement,
-    pub materials: Vec<wgpu::BindGroup>,
-    pub material_layout: wgpu::BindGroupLayout,
-}
-
-#[derive(Clone, Copy, Debug, ShaderType)]
-struct BaseColour {
-    base_colour: Vec4,
+    pub materials: Materials,
+    pub colours: VertexColours,
+    pub surroundings: Surroundings,
+    pub finish: Finish,
 }
 
 impl SceneBuffers {
@@ -47,7 +45,7 @@ impl SceneBuffers {
             .flat_map(|mesh| bytemuck::cast_slice::<_, u8>(&mesh.indices))
             .copied()
             .collect();
-        let material_layout = material_layout(gpu);
+        let is_matte = scene.materials.iter().all(Material::is_matte) && !VertexColours::are_in(scene);
         Ok(Self {
             positions: filled(gpu, "positions", &positions, wgpu::BufferUsages::VERTEX)?,
             attributes: filled(
@@ -58,8 +56,10 @@ impl SceneBuffers {
             )?,
             indices: filled(gpu, "indices", &indices, wgpu::BufferUsages::INDEX)?,
             placement: Placement::new(gpu, &scene.instances)?,
-            materials: materials(gpu, scene, &material_layout)?,
-            material_layout,
+            materials: Materials::new(gpu, scene)?,
+            colours: VertexColours::new(gpu, scene)?,
+            surroundings: Surroundings::new(gpu, scene),
+            finish: if is_matte { Finish::Matte } else { Finish::Glossy },
         })
     }
 
@@ -75,60 +75,12 @@ impl SceneBuffers {
         self.bind_casters(pass, instance_numbers);
         pass.set_vertex_buffer(2, self.attributes.slice(..));
     }
-}
 
-fn material_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
-    let texture = wgpu::BindingType::Texture {
-        sample_type: wgpu::TextureSampleType::Float { filterable: true },
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
-    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-    let types = [binding(wgpu::BufferBindingType::Uniform), texture, sampler];
-    gpu.layout("SceneBuffers::material_layout", types.map(|ty| (wgpu::ShaderStages::FRAGMENT, ty)))
-}
-
-fn materials(
-    gpu: &Gpu,
-    scene: &Scene,
-    layout: &wgpu::BindGroupLayout,
-) -> Result<Vec<wgpu::BindGroup>, RenderError> {
-    let most = gpu.device.limits().max_texture_dimension_2d;
-    let upload = |texture: &Texture| {
-        let Texture { name: _, width, height, rgba } = texture;
-        if *width > most || *height > most {
-            let bytes = u64::from(*width) * u64::from(*height) * 4;
-            return Err(RenderError::TooLarge { what: "textures", bytes, most: u64::from(most) });
-        }
-        Ok(textures::upload(gpu, *width, *height, rgba))
-    };
-    let textures = scene.textures.iter().map(upload).collect::<Result<Vec<_>, _>>()?;
-    let white = textures::upload(gpu, 1, 1, &[255; 4]);
-    let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("SceneBuffers::sampler"),
-        address_mode_u: wgpu::AddressMode::Repeat,
-        address_mode_v: wgpu::AddressMode::Repeat,
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        anisotropy_clamp: 1,
-        ..Default::default()
-    });
-    let group = |material: &umbrage_scene::Material| {
-        let mut uniform = UniformBuffer::new(Vec::new());
-        uniform
-            .write(&BaseColour { base_colour: material.base_colour })
-            .map_err(|e| RenderError::Device(e.to_string()))?;
-        let colour = filled(gpu, "materials", &uniform.into_inner(), wgpu::BufferUsages::UNIFORM)?;
-        let texture = material.texture.map_or(&white, |index| &textures[index]);
-        let resources = [
-            colour.as_entire_binding(),
-            wgpu::BindingResource::TextureView(texture),
-            wgpu::BindingResource::Sampler(&sampler),
-        ];
-        Ok(gpu.bind_group("SceneBuffers::material", layout, resources))
-    };
-    scene.materials.iter().map(group).collect()
+    /// Gives a pass the vertices of receivers whose materials are read.
+    pub fn bind_surfaces(&self, pass: &mut wgpu::RenderPass<'_>, instance_numbers: &wgpu::Buffer) {
+        self.bind_receivers(pass, instance_numbers);
+        pass.set_vertex_buffer(3, self.colours.buffer.slice(..));
+    }
 }
 
 /// Positions, and numbers of instances: what casters read.

@@ -1,10 +1,11 @@
 //! What all passes over the scene read, as group 0: `shaders/scene.wgsl`.
 
-use encase::{ShaderType, UniformBuffer};
+use encase::{ShaderType, StorageBuffer, UniformBuffer};
 use glam::{Mat4, UVec2, Vec3, Vec4};
 use umbrage::{Camera, LightKind, MAX_LIGHTS};
 
-use crate::buffers::{binding, filled};
+use crate::buffers::{READ, binding, filled};
+use crate::environment::Environment;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::light::FrameLight;
@@ -34,8 +35,22 @@ struct GpuScene {
     lights: [GpuLight; MAX_LIGHTS],
 }
 
-/// How bright the sky is without a sun.
+#[derive(Clone, Copy, Debug, ShaderType)]
+struct GpuPicture {
+    exposure: f32,
+    haze: f32,
+    environment_scale: f32,
+    around: [Vec4; 9],
+}
+
+/// The light of a white surface that faces the sun, where the sky has its own brightness: that much darker than sunlight.
+const SUN_OF_THE_SKY: f32 = 2.6;
+
+/// How bright the sky is without a sun, beside a sky whose sun is what a picture is exposed for.
 const NIGHT: f32 = 0.04;
+
+/// Light beyond this is bounded, so that sums stay numbers.
+const BRIGHTEST: f32 = 1e12;
 
 /// The buffer, and the group that shaders read it through.
 #[derive(Debug)]
@@ -45,7 +60,12 @@ pub(crate) struct SceneUniform {
     pub group: wgpu::BindGroup,
     /// Room for what is written.
     bytes: Vec<u8>,
+    /// No uniform: Mesa's software adapter (22.3) crashes where a fragment shader has one more of them than there are.
+    picture: wgpu::Buffer,
 }
+
+/// The size of `GpuPicture`.
+const PICTURE_BYTES: usize = 160;
 
 /// What a picture is of.
 #[derive(Clone, Copy, Debug)]
@@ -56,56 +76,120 @@ pub(crate) struct View<'a> {
     pub size: [u32; 2],
     /// Whose visibility is shown, where one is.
     pub shown_light: usize,
+    /// The illuminance that the picture is exposed for, lux, and the factor from luminance that comes of it.
+    pub exposed: Exposed,
+    /// Halvings by haze in a metre; 0 without haze.
+    pub haze: f32,
+    pub environment: &'a Environment,
+}
+
+/// How a picture is exposed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Exposed {
+    /// What the scene asks for, lux.
+    pub metered: f32,
+    /// From luminance to what the tone map gets.
+    pub factor: f32,
 }
 
 impl SceneUniform {
-    pub fn new(gpu: &Gpu, placement: &Placement) -> Result<Self, RenderError> {
+    pub fn new(gpu: &Gpu, placement: &Placement, environment: &Environment) -> Result<Self, RenderError> {
         let bytes = vec![0; GpuScene::min_size().get() as usize];
         let buffer = filled(gpu, "scene uniform", &bytes, wgpu::BufferUsages::UNIFORM)?;
+        let texture = wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: true },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        };
         let types = [
             (wgpu::ShaderStages::VERTEX_FRAGMENT, binding(wgpu::BufferBindingType::Uniform)),
             (wgpu::ShaderStages::VERTEX, Placement::binding()),
+            (wgpu::ShaderStages::FRAGMENT, binding(READ)),
+            (wgpu::ShaderStages::FRAGMENT, texture),
+            (wgpu::ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
         ];
+        let picture = vec![0; GpuPicture::min_size().get() as usize];
+        let picture = filled(gpu, "exposure and surroundings", &picture, wgpu::BufferUsages::STORAGE)?;
         let layout = gpu.layout("SceneUniform::layout", types);
-        let resources = [buffer.as_entire_binding(), placement.buffer.as_entire_binding()];
+        let resources = [
+            buffer.as_entire_binding(),
+            placement.buffer.as_entire_binding(),
+            picture.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&environment.view),
+            wgpu::BindingResource::Sampler(&environment.sampler),
+        ];
         let group = gpu.bind_group("SceneUniform::group", &layout, resources);
-        Ok(Self { buffer, layout, group, bytes })
+        Ok(Self { buffer, layout, group, bytes, picture })
     }
 
     /// Tells the GPU of a picture.
     pub fn upload(&mut self, gpu: &Gpu, view: &View<'_>) -> Result<(), RenderError> {
         let mut buffer = UniformBuffer::new(std::mem::take(&mut self.bytes));
-        buffer.write(&gpu_scene(view)).map_err(|e| RenderError::Device(e.to_string()))?;
+        buffer
+            .write(&gpu_scene(view.camera, view.lights, view.size, view.shown_light, view.exposed))
+            .map_err(|e| RenderError::Device(e.to_string()))?;
         self.bytes = buffer.into_inner();
         gpu.queue.write_buffer(&self.buffer, 0, &self.bytes);
+        let mut picture = StorageBuffer::new([0; PICTURE_BYTES]);
+        picture.write(&gpu_picture(view)).map_err(|e| RenderError::Device(e.to_string()))?;
+        gpu.queue.write_buffer(&self.picture, 0, &picture.into_inner());
         Ok(())
     }
 }
 
-fn gpu_scene(view: &View<'_>) -> GpuScene {
-    let View { camera, lights: of, size, shown_light } = *view;
+fn gpu_scene(
+    camera: &Camera,
+    of: &[FrameLight],
+    size: [u32; 2],
+    shown_light: usize,
+    exposed: Exposed,
+) -> GpuScene {
     let clip_from_world = camera.clip_from_world();
     let mut lights = [GpuLight::default(); MAX_LIGHTS];
     for (slot, light) in lights.iter_mut().zip(of) {
-        *slot = gpu_light(light);
+        *slot = gpu_light(light, exposed.factor);
     }
-    let sun = of.iter().find(|light| matches!(light.light.kind(), LightKind::Directional { .. }));
+    let sun = brightest_sun(of);
+    let sunlight = sun.map_or(Vec3::ZERO, |sun| white_in(sun.colour, exposed.factor));
+    let night = NIGHT * white_in(Vec3::splat(exposed.metered), exposed.factor).x;
     GpuScene {
         clip_from_world,
         world_from_clip: clip_from_world.inverse(),
         eye: camera.eye(),
         light_count: of.len().min(MAX_LIGHTS) as u32,
         direction_to_sun: sun.map_or(Vec3::NEG_Y, |sun| sun.light.direction_from(Vec3::ZERO)),
-        daylight: if sun.is_some() { 1.0 } else { NIGHT },
-        sun: sun.map_or(Vec3::ZERO, |sun| sun.colour),
+        daylight: sunlight.max_element().max(night) / SUN_OF_THE_SKY,
+        sun: sunlight,
         shown_light: shown_light as u32,
         size: size.into(),
         lights,
     }
 }
 
-fn gpu_light(light: &FrameLight) -> GpuLight {
+fn gpu_picture(view: &View<'_>) -> GpuPicture {
+    let has_sun = brightest_sun(view.lights).is_some();
+    let haze = if has_sun { view.haze } else { 0.0 };
+    let exposure = view.exposed.factor;
+    let exposed = |light: Vec4| (light * exposure).clamp(Vec4::splat(-BRIGHTEST), Vec4::splat(BRIGHTEST));
+    let Environment { scale, around, .. } = view.environment;
+    GpuPicture { exposure, haze, environment_scale: *scale, around: around.map(exposed) }
+}
+
+/// The sun that makes the day: the first of the brightest; none where none shines.
+fn brightest_sun(lights: &[FrameLight]) -> Option<&FrameLight> {
+    let suns = lights.iter().filter(|light| matches!(light.light.kind(), LightKind::Directional { .. }));
+    let brightest = |a: &&FrameLight, b: &&FrameLight| b.colour.max_element() > a.colour.max_element();
+    suns.filter(|sun| sun.colour.max_element() > 0.0).reduce(|a, b| if brightest(&a, &b) { b } else { a })
+}
+
+/// What a white surface sends back that faces so much light, lux, exposed.
+fn white_in(lux: Vec3, factor: f32) -> Vec3 {
+    (lux * factor * std::f32::consts::FRAC_1_PI).clamp(Vec3::ZERO, Vec3::splat(BRIGHTEST))
+}
+
+fn gpu_light(light: &FrameLight, factor: f32) -> GpuLight {
     let FrameLight { light, colour, cone: [inner, outer] } = *light;
+    let colour = white_in(colour, factor);
     let everywhere = GpuLight { colour, cone_scale: 0.0, cone_offset: 1.0, ..GpuLight::default() };
     match light.kind() {
         LightKind::Spot { position, direction, range, .. } => {
@@ -148,9 +232,15 @@ mod tests {
         assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{names:?} in {written}");
     }
 
+    #[test]
+    fn exposure_and_surroundings_are_as_large_as_their_buffer() {
+        assert_eq!(GpuPicture::min_size().get() as usize, PICTURE_BYTES);
+    }
+
     fn gpu_scene_of_nothing() -> GpuScene {
         let projection = umbrage::Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
         let camera = Camera::new(Mat4::IDENTITY, projection, 0.1, 10.0).unwrap();
-        gpu_scene(&View { camera: &camera, lights: &[], size: [1, 1], shown_light: 0 })
+        let exposed = Exposed { metered: 1.0, factor: 1.0 };
+        gpu_scene(&camera, &[], [1, 1], 0, exposed)
     }
 }

@@ -10,12 +10,9 @@ use umbrage::{Contact, contact_wgsl};
 use crate::frame::{Mark, Show};
 
 const SCENE: &str = include_str!("../shaders/scene.wgsl");
-const MATERIAL: &str = include_str!("../shaders/material.wgsl");
+const PICTURE: &str = include_str!("../shaders/picture.wgsl");
 const RECEIVER: &str = include_str!("../shaders/receiver.wgsl");
-const LIGHTS: &str = include_str!("../shaders/lights.wgsl");
-const SKY_LIGHT: &str = include_str!("../shaders/sky_light.wgsl");
 const TONE: &str = include_str!("../shaders/tone.wgsl");
-const SURFACE: &str = include_str!("../shaders/surface.wgsl");
 const SPLIT_COLOUR: &str = include_str!("../shaders/marks/split_colour.wgsl");
 const FOOTPRINT: &str = include_str!("../shaders/marks/footprint.wgsl");
 
@@ -85,23 +82,56 @@ impl Look {
     }
 }
 
-/// Receivers: the vertex shader `receiver`, the fragment shader `shade`.
-pub(crate) fn receivers(look: Look, receiver: &str, contact: Option<&Contact>) -> String {
-    let surface = [MATERIAL, LIGHTS, SKY_LIGHT, TONE, SURFACE];
+/// What lights surfaces from all around, and lies behind them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Around {
+    /// A sky that is as bright as the sun asks for.
+    Sky,
+    /// A picture.
+    Picture,
+}
+
+/// What the surfaces of a scene are like. Scenes that need less have shaders that do less.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Finish {
+    /// All are matte.
+    Matte,
+    /// Some are not, or their vertices have colours.
+    Glossy,
+}
+
+impl Look {
+    /// Whether its shader reads materials.
+    pub fn has_materials(self) -> bool {
+        match self {
+            Self::World | Self::Unshadowed | Self::Given | Self::Marked(Mark::Splits | Mark::Texels) => true,
+            Self::Marked(Mark::Extents) | Self::Visibility => false,
+        }
+    }
+}
+
+/// Receivers: the vertex shader [`vertex_entry`], the fragment shader `shade`.
+pub(crate) fn receivers(
+    look: Look,
+    finish: Finish,
+    around: Around,
+    receiver: &str,
+    contact: Option<&Contact>,
+) -> String {
     let visibility = visibility(look.visibility(contact.is_some()), contact);
     let mut text = [receiver, SCENE, RECEIVER].join("\n") + &visibility;
     let files: &[&str] = match look {
         Look::World | Look::Unshadowed | Look::Given => {
-            text += &surface.join("\n");
-            &[include_str!("../shaders/shade.wgsl")]
+            text += &surfaces(finish, around);
+            &[include_str!("../shaders/marks/none.wgsl")]
         }
         Look::Marked(Mark::Splits) => {
-            text += &surface.join("\n");
+            text += &surfaces(finish, around);
             text += &split_colours();
             &[SPLIT_COLOUR, include_str!("../shaders/marks/split_tint.wgsl")]
         }
         Look::Marked(Mark::Texels) => {
-            text += &surface.join("\n");
+            text += &surfaces(finish, around);
             text += &split_colours();
             &[SPLIT_COLOUR, FOOTPRINT, include_str!("../shaders/marks/texel_chequer.wgsl")]
         }
@@ -109,6 +139,43 @@ pub(crate) fn receivers(look: Look, receiver: &str, contact: Option<&Contact>) -
         Look::Visibility => &[include_str!("../shaders/visibility.wgsl")],
     };
     text + &files.join("\n")
+}
+
+/// The vertex shader of receivers that need nothing more.
+pub(crate) const RECEIVER_ENTRY: &str = "receiver";
+
+/// The vertex shader of receivers.
+pub(crate) fn vertex_entry(look: Look, finish: Finish) -> &'static str {
+    if look.has_materials() && finish == Finish::Glossy { "coloured_receiver" } else { RECEIVER_ENTRY }
+}
+
+/// All that shades surfaces.
+fn surfaces(finish: Finish, around: Around) -> String {
+    let lit = [
+        PICTURE,
+        include_str!("../shaders/material.wgsl"),
+        include_str!("../shaders/lights.wgsl"),
+        around_text(around),
+        include_str!("../shaders/haze.wgsl"),
+        TONE,
+    ];
+    let finish: &[&str] = match finish {
+        Finish::Matte => &[include_str!("../shaders/matte.wgsl"), include_str!("../shaders/shade.wgsl")],
+        Finish::Glossy => &[
+            include_str!("../shaders/reflection.wgsl"),
+            include_str!("../shaders/material_maps.wgsl"),
+            include_str!("../shaders/glossy.wgsl"),
+            include_str!("../shaders/shade_coloured.wgsl"),
+        ],
+    };
+    [lit.as_slice(), finish].concat().join("\n")
+}
+
+fn around_text(around: Around) -> &'static str {
+    match around {
+        Around::Sky => include_str!("../shaders/sky_light.wgsl"),
+        Around::Picture => include_str!("../shaders/environment.wgsl"),
+    }
 }
 
 /// The text of `visibility_at`.
@@ -141,8 +208,8 @@ pub(crate) fn depth() -> String {
 }
 
 /// The sky: the vertex shader `sky`, the fragment shader `sky_shade`.
-pub(crate) fn sky() -> String {
-    [SCENE, SKY_LIGHT, TONE, include_str!("../shaders/sky.wgsl")].join("\n")
+pub(crate) fn sky(around: Around) -> String {
+    [SCENE, PICTURE, around_text(around), TONE, include_str!("../shaders/sky.wgsl")].join("\n")
 }
 
 /// The sky where visibility is shown: the vertex shader `sky`, the fragment shader `sky_visibility`.
@@ -186,6 +253,13 @@ mod tests {
         Look::Visibility,
     ];
 
+    const FINISHES: [(Finish, Around); 4] = [
+        (Finish::Matte, Around::Sky),
+        (Finish::Glossy, Around::Sky),
+        (Finish::Matte, Around::Picture),
+        (Finish::Glossy, Around::Picture),
+    ];
+
     fn check(text: &str) {
         let module =
             naga::front::wgsl::parse_str(text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(text)));
@@ -197,15 +271,18 @@ mod tests {
     #[test]
     fn every_shader_of_the_renderer_is_valid_wgsl() {
         check(&casters(&caster_wgsl()));
-        [depth(), sky(), lit_sky(), area_sum(), map_picture(&map_wgsl())].iter().for_each(|text| check(text));
+        [depth(), lit_sky(), area_sum(), map_picture(&map_wgsl())].iter().for_each(|text| check(text));
+        [Around::Sky, Around::Picture].iter().for_each(|around| check(&sky(*around)));
         for select in [Select::Depth, Select::ClipDepth, Select::Map] {
             for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
                 let settings = Settings { select, filter, ..Settings::default() };
                 let shadows = receiver_wgsl(&settings, Capabilities::ALL, 1);
                 check(&query(&shadows));
                 for look in LOOKS {
-                    check(&receivers(look, &shadows, None));
-                    check(&receivers(look, &shadows, Some(&Contact::default())));
+                    for (finish, around) in FINISHES {
+                        check(&receivers(look, finish, around, &shadows, None));
+                        check(&receivers(look, finish, around, &shadows, Some(&Contact::default())));
+                    }
                 }
             }
         }
@@ -213,8 +290,17 @@ mod tests {
 
     #[test]
     fn the_shader_of_the_plain_picture_holds_nothing_of_the_others() {
-        let text = receivers(Look::World, "", None);
-        for word in ["split_colour", "footprint", "given", "shown_light,", "extent", "mark"] {
+        let text = receivers(Look::World, Finish::Matte, Around::Sky, "", None);
+        for word in [
+            "split_colour",
+            "footprint",
+            "given",
+            "shown_light,",
+            "extent",
+            "mark",
+            "normal_texture",
+            "fresnel",
+        ] {
             assert!(!text.contains(word), "{word}");
         }
         println!("{} bytes of WGSL without the library's", text.len());

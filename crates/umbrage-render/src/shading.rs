@@ -7,13 +7,15 @@ use crate::drawn::Planned;
 use crate::error::RenderError;
 use crate::frame::Show;
 use crate::gpu::Gpu;
+use crate::light::FrameLight;
 use crate::passes::given::Given;
 use crate::passes::prepass::Prepass;
 use crate::passes::receivers::Receivers;
 use crate::passes::sky::Sky;
 use crate::scene_buffers::SceneBuffers;
-use crate::scene_uniform::{SceneUniform, View};
+use crate::scene_uniform::{Exposed, SceneUniform, View};
 use crate::shaders::{Look, Visibility};
+use crate::surroundings::Surroundings;
 use crate::target::{Encoding, Target};
 use crate::timing::{PassTimer, SHADE};
 
@@ -29,6 +31,27 @@ pub(crate) struct Shading {
     skies: Vec<(Kind, Sky)>,
     prepass: Option<Prepass>,
     given: Option<Given>,
+    metered: Metered,
+}
+
+/// What was metered last: lights that stay are metered once.
+#[derive(Debug, Default)]
+struct Metered {
+    lights: Vec<FrameLight>,
+    lux: Option<f32>,
+}
+
+impl Metered {
+    /// The illuminance to expose for under these lights, lux.
+    fn of(&mut self, surroundings: &Surroundings, lights: &[FrameLight]) -> f32 {
+        if let Some(lux) = self.lux.filter(|_| self.lights == lights) {
+            return lux;
+        }
+        let lux = surroundings.meter.illuminance(lights, surroundings.environment.lux);
+        self.lights.clear();
+        self.lights.extend(lights);
+        *self.lux.insert(lux)
+    }
 }
 
 /// What is shaded, and with what.
@@ -41,8 +64,15 @@ pub(crate) struct Inputs<'a> {
 
 impl Shading {
     pub fn new(gpu: &Gpu, scene: &SceneBuffers) -> Result<Self, RenderError> {
-        let uniform = SceneUniform::new(gpu, &scene.placement)?;
-        Ok(Self { uniform, receivers: Vec::new(), skies: Vec::new(), prepass: None, given: None })
+        let uniform = SceneUniform::new(gpu, &scene.placement, &scene.surroundings.environment)?;
+        Ok(Self {
+            uniform,
+            receivers: Vec::new(),
+            skies: Vec::new(),
+            prepass: None,
+            given: None,
+            metered: Metered::default(),
+        })
     }
 
     /// Forgets what depends on the shaders' text and on the bind group of shadows.
@@ -60,7 +90,8 @@ impl Shading {
     ) -> Result<(), RenderError> {
         let kind = (target.shape.encoding, target.shape.samples);
         if !self.skies.iter().any(|(of, _)| *of == kind) {
-            self.skies.push((kind, Sky::new(gpu, &self.uniform, kind.0, kind.1)));
+            let around = scene.surroundings.around;
+            self.skies.push((kind, Sky::new(gpu, &self.uniform, around, kind.0, kind.1)));
         }
         let Some(look) = Look::of(show) else { return Ok(()) };
         let extra = match look.visibility(shadows.settings().contact.is_some()) {
@@ -93,9 +124,18 @@ impl Shading {
         show: &Show,
         target: &Target,
     ) -> Result<(), RenderError> {
-        let Planned { camera, lights, size, numbers, .. } = planned;
+        let Planned { camera, lights, size, numbers, exposure, haze, .. } = planned;
         let shown_light = if let Show::Visibility(light) = show { *light } else { 0 };
-        self.uniform.upload(gpu, &View { camera, lights, size: *size, shown_light })?;
+        // Visibility is not exposed.
+        let metered = match target.shape.encoding {
+            Encoding::Srgb => self.metered.of(&scene.surroundings, lights),
+            Encoding::Linear => 1.0,
+        };
+        let exposed = Exposed { metered, factor: exposure.factor(metered) };
+        let haze = if *haze { scene.surroundings.haze } else { 0.0 };
+        let environment = &scene.surroundings.environment;
+        let view = View { camera, lights, size: *size, shown_light, exposed, haze, environment };
+        self.uniform.upload(gpu, &view)?;
         if let (Show::Given(visibility), Some(given)) = (show, &mut self.given) {
             given.upload(gpu, visibility)?;
         }

@@ -3,7 +3,7 @@
 
 use glam::{Vec2, Vec3};
 use umbrage_render::umbrage::{Bias, Camera, Contact, Light, Projection, Settings};
-use umbrage_render::{Frame, FrameLight, Gpu, Renderer, Show};
+use umbrage_render::{Exposure, Frame, FrameLight, Gpu, Renderer, Show};
 use umbrage_scene::{Instance, Material, Mesh, Primitive, Scene};
 
 const WIDTH: u32 = 320;
@@ -19,6 +19,7 @@ fn quad(corners: [Vec3; 4], normal: Vec3) -> Primitive {
         positions: corners.to_vec(),
         normals: vec![normal; 4],
         uvs: vec![Vec2::ZERO; 4],
+        colours: Vec::new(),
         indices: vec![0, 1, 2, 0, 2, 3],
         material: 0,
     }
@@ -71,6 +72,8 @@ fn visibility(gpu: &Gpu, scene: &Scene, camera: Camera, light: Light, contact: O
         height: HEIGHT,
         samples: 1,
         show,
+        exposure: Exposure::default(),
+        haze: true,
     };
     let drawn = renderer.render(&frame).expect("a frame").drawn;
     drawn.picture().expect("a picture").rgba.into_iter().step_by(4).collect()

@@ -2,10 +2,12 @@
 //!
 //! Each mesh has one accessor for each attribute, which all its primitives share, and one primitive for each part: parts
 //! are small enough to be parts again. Instances, cameras and lights are nodes with matrices, side by side. Left out:
-//! meshes without triangles, their instances, and textures that no material uses. What glTF has no words for is in
+//! meshes without triangles, their instances, textures that no material uses,
+//! and the environment picture. What glTF has no words for is in
 //! `extras.rs`.
 
 mod bytes;
+mod materials;
 mod pieces;
 
 use std::borrow::Cow;
@@ -29,12 +31,12 @@ pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
 }
 
 fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
-    let Scene { name, meshes, instances, materials, textures, cameras, lights, path } = scene;
+    let Scene { name, meshes, instances, materials, textures, cameras, lights, path, environment: _ } = scene;
     let mut document = Document::new(Root {
         asset: Asset { generator: Some("umbrage".to_owned()), ..Asset::default() },
         ..Root::default()
     });
-    pieces::add_materials(&mut document, materials, textures)?;
+    materials::add(&mut document, materials, textures)?;
     let mut places: Vec<Option<Index<JsonMesh>>> = Vec::with_capacity(meshes.len());
     for mesh in meshes {
         let empty = mesh.triangles() == 0;

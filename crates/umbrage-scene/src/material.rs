@@ -1,26 +1,96 @@
-//! What surfaces look like: a base colour, and perhaps a picture of it.
+//! What surfaces look like: the metallic-roughness material of glTF, and pictures of its numbers.
+//!
+//! Source: glTF 2.0, section 3.9, *Materials*, and the extensions `KHR_materials_emissive_strength`,
+//! `KHR_materials_specular` and `KHR_materials_unlit`.
 
-use glam::Vec4;
+use glam::{Affine2, Vec3, Vec4};
 
-/// A material says what a surface looks like: the part of glTF's metallic-roughness material that shadow work needs.
+/// A material says what a surface looks like.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// The name that the file or the world gives the material.
     pub name: String,
-    /// The base colour as linear RGBA, which is multiplied with the texture's colour.
+    /// The base colour as linear RGBA, which is multiplied with the texture's colour and with the vertices'.
     pub base_colour: Vec4,
     /// The index of the texture in [`crate::Scene::textures`]; `None` for a plain colour.
     pub texture: Option<usize>,
+    /// How much the surface is metal, 0 to 1: a metal reflects in its base colour, and scatters nothing.
+    pub metallic: f32,
+    /// How rough the surface is, 0 (a mirror) to 1.
+    pub roughness: f32,
+    /// How strongly a surface that is no metal reflects, 0 (not at all) to 1 (4 % of what comes head-on, as most things do).
+    pub specular: f32,
+    /// The light that the surface sends out by itself as linear RGB, candela a square metre, 0 or more.
+    pub emission: Vec3,
+    /// Whether the surface shows its base colour whatever shines, as `KHR_materials_unlit` has it.
+    pub unlit: bool,
+    /// The pictures of everything but the base colour.
+    pub maps: Maps,
+}
+
+/// The pictures that a material may have beside that of its base colour.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Maps {
+    /// The picture whose green is multiplied with [`Material::roughness`], and whose blue with [`Material::metallic`].
+    pub metallic_roughness: Option<Map>,
+    /// The picture of normals in tangent space, green up, and the factor of their tangential part.
+    pub normal: Option<(Map, f32)>,
+    /// The picture whose red says how much of the light around reaches the surface, and how much of that counts, 0 to 1.
+    pub occlusion: Option<(Map, f32)>,
+    /// The picture that is multiplied with [`Material::emission`]. It is sRGB; the others hold plain numbers.
+    pub emission: Option<Map>,
+}
+
+/// A map is a picture, and where on it a vertex is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Map {
+    /// The index of the texture in [`crate::Scene::textures`].
+    pub texture: usize,
+    /// The transform from a vertex's texture coordinates, which are those of the base colour's texture, to this picture's.
+    pub picture_from_uv: Affine2,
 }
 
 impl Material {
-    /// Makes a material of one opaque colour, given as linear RGB.
+    /// Makes a material of one opaque colour, given as linear RGB, that only scatters light (Lambert's law): all built-in
+    /// worlds are of it.
     pub fn plain(name: &str, red: f32, green: f32, blue: f32) -> Self {
-        Self { name: name.to_owned(), base_colour: Vec4::new(red, green, blue, 1.0), texture: None }
+        Self {
+            name: name.to_owned(),
+            base_colour: Vec4::new(red, green, blue, 1.0),
+            texture: None,
+            metallic: 0.0,
+            roughness: 1.0,
+            specular: 0.0,
+            emission: Vec3::ZERO,
+            unlit: false,
+            maps: Maps::default(),
+        }
+    }
+
+    /// Returns whether the material only scatters light, in its base colour and texture, as [`Self::plain`] does.
+    pub fn is_matte(&self) -> bool {
+        let Self {
+            name: _,
+            base_colour: _,
+            texture: _,
+            metallic,
+            roughness: _,
+            specular,
+            emission,
+            unlit,
+            maps: Maps { metallic_roughness: _, normal, occlusion, emission: _ },
+        } = self;
+        *metallic == 0.0
+            && *specular == 0.0
+            && *emission == Vec3::ZERO
+            && !unlit
+            && normal.is_none()
+            && occlusion.is_none()
     }
 }
 
-/// A texture is a picture that repeats: sRGB with linear alpha, 8 bits each, in rows from top to bottom.
+/// A texture is a picture that repeats: sRGB with linear alpha, or plain numbers where a material's map wants those, 8 bits
+/// each, in rows from top to bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     /// The name that the file or the world gives the texture.
@@ -31,4 +101,25 @@ pub struct Texture {
     pub height: u32,
     /// The pixels: `4 · width · height` bytes.
     pub rgba: Vec<u8>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_surface_that_just_scatters_light_is_matte() {
+        let plain = || Material::plain("a", 0.5, 0.5, 0.5);
+        let map = Map { texture: 0, picture_from_uv: Affine2::IDENTITY };
+        assert!(plain().is_matte() && Material { texture: Some(3), ..plain() }.is_matte());
+        let others = [
+            Material { metallic: 0.1, ..plain() },
+            Material { specular: 1.0, ..plain() },
+            Material { emission: Vec3::X, ..plain() },
+            Material { unlit: true, ..plain() },
+            Material { maps: Maps { normal: Some((map, 1.0)), ..Maps::default() }, ..plain() },
+            Material { maps: Maps { occlusion: Some((map, 1.0)), ..Maps::default() }, ..plain() },
+        ];
+        assert!(others.iter().all(|material| !material.is_matte()));
+    }
 }

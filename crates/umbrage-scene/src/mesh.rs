@@ -7,7 +7,7 @@ mod closed;
 
 use std::ops::Range;
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 
 use crate::Aabb;
 
@@ -23,6 +23,9 @@ pub struct Mesh {
     pub normals: Vec<Vec3>,
     /// The texture coordinates of the vertices, v down.
     pub uvs: Vec<Vec2>,
+    /// The colours of the vertices as linear RGBA, each 0 to 1, with which base colours are multiplied; empty where all are
+    /// white.
+    pub colours: Vec<Vec4>,
     /// The vertices of the triangles, three each, counter-clockwise seen from outside; all are in range.
     pub indices: Vec<u32>,
     /// The parts of the mesh; their ranges follow each other and cover `indices`.
@@ -51,6 +54,8 @@ pub struct Primitive {
     pub normals: Vec<Vec3>,
     /// The texture coordinates of the vertices, as many as positions.
     pub uvs: Vec<Vec2>,
+    /// The colours of the vertices as linear RGBA, as many as positions; empty where all are white.
+    pub colours: Vec<Vec4>,
     /// The vertices of the triangles, three each; all are in range.
     pub indices: Vec<u32>,
     /// The index of the material in [`crate::Scene::materials`].
@@ -67,11 +72,12 @@ impl Mesh {
     /// same parts, and cutting a mesh that was cut before changes nothing.
     pub fn new(name: &str, primitives: &[Primitive]) -> Self {
         let mut mesh = Self::empty(name);
-        for Primitive { positions, normals, uvs, indices, material } in primitives {
+        for Primitive { positions, normals, uvs, colours, indices, material } in primitives {
             let base = mesh.positions.len() as u32;
             mesh.positions.extend(positions);
             mesh.normals.extend(normals);
             mesh.uvs.extend(uvs);
+            mesh.add_colours(colours);
             mesh.add_triangles(
                 indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.map(|i| base + i)),
                 *material,
@@ -87,10 +93,20 @@ impl Mesh {
             positions: Vec::new(),
             normals: Vec::new(),
             uvs: Vec::new(),
+            colours: Vec::new(),
             indices: Vec::new(),
             parts: Vec::new(),
             bounds: Aabb::EMPTY,
         }
+    }
+
+    /// Gives the vertices that were added last their colours; none for white. Positions come first.
+    pub(crate) fn add_colours(&mut self, colours: &[Vec4]) {
+        if self.colours.is_empty() && colours.is_empty() {
+            return;
+        }
+        self.colours.resize(self.positions.len() - colours.len(), Vec4::ONE);
+        self.colours.extend(colours);
     }
 
     /// Cuts triangles of one material into parts. Their corners are vertices that the mesh already has, so several

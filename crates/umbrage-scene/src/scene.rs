@@ -2,7 +2,7 @@
 
 use glam::Mat4;
 
-use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Motion, Texture};
+use crate::{Aabb, Camera, CameraPath, Environment, Light, Material, Mesh, Motion, Texture};
 
 /// A scene is a whole world. Indices between its lists are always in range: the importer and the built-in worlds see to it.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +24,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// A flight through the world, for measurements over time.
     pub path: CameraPath,
+    /// The picture of everything around the world; without one a plain sky is around it. No file of a scene has one.
+    pub environment: Option<Environment>,
 }
 
 /// An instance is a mesh placed in the world.

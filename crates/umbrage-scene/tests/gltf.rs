@@ -315,19 +315,17 @@ fn texture_transforms_are_applied_to_texture_coordinates() {
 fn what_is_ignored_is_said_in_one_line_a_kind() {
     let mut doc = Doc::triangle();
     doc.primitives =
-        r#"{"attributes": {"POSITION": 0, "COLOR_0": 0}, "targets": [{"POSITION": 0}], "material": 0}"#
-            .to_owned();
+        r#"{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}], "material": 0}"#.to_owned();
     doc.nodes = r#"{"mesh": 0, "skin": 0, "name": "hero"}"#.to_owned();
     doc.rest = r#", "materials": [{"name": "glass", "alphaMode": "BLEND"}, {"alphaMode": "MASK"}],
-        "skins": [{"joints": [0]}], "extensionsUsed": ["KHR_materials_unlit"], "animations": [{"name": "walk", "channels":
+        "skins": [{"joints": [0]}], "extensionsUsed": ["KHR_materials_clearcoat"], "animations": [{"name": "walk", "channels":
         [{"sampler": 0, "target": {"node": 0, "path": "translation"}}], "samplers": [{"input": 0, "output": 0}]}]"#
         .to_owned();
     assert_eq!(
         doc.load().unwrap().warnings,
         [
-            "extensions that are not supported are ignored: KHR_materials_unlit",
+            "extensions that are not supported are ignored: KHR_materials_clearcoat",
             "transparent materials are drawn as opaque: glass, material 1",
-            "vertex colours are ignored: mesh 0",
             "morph targets are ignored: mesh 0",
             "skins are ignored: hero",
             "animations are ignored: walk",

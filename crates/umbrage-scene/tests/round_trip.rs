@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Mat4, Quat, Vec2, Vec3, Vec4};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use umbrage_scene::*;
@@ -13,10 +13,11 @@ fn bits(scene: &Scene) -> Vec<String> {
     let matrix = |m: &Mat4| floats(&m.to_cols_array());
     let vector = |v: &Vec3| floats(&v.to_array());
     let mut bits = Vec::new();
-    for Mesh { name, positions, normals, uvs, indices, parts, bounds } in &scene.meshes {
+    for Mesh { name, positions, normals, uvs, colours, indices, parts, bounds } in &scene.meshes {
         bits.push(format!("mesh {name:?} {indices:?} {parts:?} {bounds:?}"));
         bits.extend(positions.iter().chain(normals).map(vector));
         bits.extend(uvs.iter().map(|uv| floats(&uv.to_array())));
+        bits.extend(colours.iter().map(|colour| floats(&colour.to_array())));
     }
     let movement = |motion: &Motion| match motion {
         Motion::Still => String::new(),
@@ -27,8 +28,12 @@ fn bits(scene: &Scene) -> Vec<String> {
     for Instance { mesh, world_from_mesh, motion } in &scene.instances {
         bits.push(format!("instance {mesh} {} {}", matrix(world_from_mesh), movement(motion)));
     }
-    for Material { name, base_colour, texture } in &scene.materials {
-        bits.push(format!("material {name:?} {} {texture:?}", floats(&base_colour.to_array())));
+    for Material { name, base_colour, texture, metallic, roughness, specular, emission, unlit, maps } in
+        &scene.materials
+    {
+        let numbers = floats(&[*metallic, *roughness, *specular, emission.x, emission.y, emission.z]);
+        let base = floats(&base_colour.to_array());
+        bits.push(format!("material {name:?} {base} {texture:?} {numbers} {unlit} {maps:?}"));
     }
     bits.extend(scene.textures.iter().map(|texture| format!("{texture:?}")));
     for Camera { name, world_from_camera, lens, near, far } in &scene.cameras {
@@ -78,14 +83,16 @@ fn rigid() -> impl Strategy<Value = Mat4> {
 }
 
 fn primitive() -> impl Strategy<Value = Primitive> {
-    let vertex = (point(), direction(), [number(), number()].prop_map(Vec2::from));
-    (vec(vertex, 3..12), vec([0..64u32, 0..64, 0..64], 1..8), 0..3usize).prop_map(
-        |(vertices, triangles, material)| {
+    let colour = [0.0f32..=1.0, 0.0f32..=1.0, 0.0f32..=1.0, 0.0f32..=1.0].prop_map(Vec4::from);
+    let vertex = (point(), direction(), [number(), number()].prop_map(Vec2::from), colour);
+    (vec(vertex, 3..12), vec([0..64u32, 0..64, 0..64], 1..8), 0..3usize, any::<bool>()).prop_map(
+        |(vertices, triangles, material, has_colours)| {
             let count = vertices.len() as u32;
             Primitive {
                 positions: vertices.iter().map(|v| v.0).collect(),
                 normals: vertices.iter().map(|v| v.1).collect(),
                 uvs: vertices.iter().map(|v| v.2).collect(),
+                colours: vertices.iter().filter(|_| has_colours).map(|v| v.3).collect(),
                 indices: triangles.into_iter().flatten().map(|i| i % count).collect(),
                 material,
             }
@@ -144,10 +151,36 @@ fn light() -> impl Strategy<Value = Light> {
     )
 }
 
+/// Numbers of a material: colour, shares and the scale of normals, emission, and what it has.
+type Numbers = ([f32; 4], [f32; 4], [f32; 3], [bool; 6]);
+
+fn material(i: usize, textures: usize, (colour, [a, b, c, scale], light, has): Numbers) -> Material {
+    let is_there = i < textures;
+    let map = |has: bool| (is_there && has).then_some(Map { texture: i, picture_from_uv: Affine2::IDENTITY });
+    Material {
+        name: format!("m{i}"),
+        base_colour: Vec4::from(colour),
+        texture: is_there.then_some(i),
+        metallic: a,
+        roughness: b,
+        specular: if has[0] { 1.0 } else { c },
+        emission: Vec3::from(light) * f32::from(u8::from(has[1])),
+        unlit: has[2],
+        maps: Maps {
+            metallic_roughness: map(has[3]),
+            normal: map(has[4]).map(|map| (map, scale)),
+            occlusion: map(has[5]).map(|map| (map, c)),
+            emission: map(has[1]),
+        },
+    }
+}
+
 fn scene() -> impl Strategy<Value = Scene> {
     let meshes = [vec(primitive(), 1..4), vec(primitive(), 1..4)]
         .prop_map(|[a, b]| vec![Mesh::new("", &a), Mesh::new("b", &b)]);
-    let colours = vec([-2.0f32..2.0, 0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], 3);
+    let colour = [-2.0f32..2.0, 0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0];
+    let shares = [0.0f32..=1.0, 0.0f32..=1.0, 0.0f32..=1.0, -3.0f32..=3.0];
+    let colours = vec((colour, shares, [0.0f32..1e4, 0.0f32..1e4, 0.0f32..1.0], any::<[bool; 6]>()), 3);
     let picture = (1..5u32, 1..5u32).prop_flat_map(|(width, height)| {
         vec(any::<u8>(), 4 * (width * height) as usize).prop_map(move |rgba| Texture {
             name: "picture".to_owned(),
@@ -163,20 +196,14 @@ fn scene() -> impl Strategy<Value = Scene> {
             name: "random".to_owned(),
             meshes,
             instances,
-            materials: (0..)
-                .zip(colours)
-                .map(|(i, colour)| Material {
-                    name: format!("m{i}"),
-                    base_colour: Vec4::from(colour),
-                    texture: (i < textures.len()).then_some(i),
-                })
-                .collect(),
+            materials: (0..).zip(colours).map(|(i, numbers)| material(i, textures.len(), numbers)).collect(),
             textures,
             cameras,
             lights,
             path: CameraPath {
                 keys: path.into_iter().map(|(eye, target)| PathKey { eye, target }).collect(),
             },
+            environment: None,
         },
     )
 }
@@ -256,7 +283,7 @@ proptest! {
     ) {
         let count = positions.len();
         let indices = indices[..indices.len() / 3 * 3].to_vec();
-        let soup = Primitive { positions, normals: vec![Vec3::Y; count], uvs: vec![Vec2::ZERO; count], indices, material: 0 };
+        let soup = Primitive { positions, normals: vec![Vec3::Y; count], uvs: vec![Vec2::ZERO; count], indices, ..Primitive::default() };
         let mesh = Mesh::new("soup", std::slice::from_ref(&soup));
         let again = Mesh::new("soup", &[Primitive { indices: mesh.indices.clone(), ..soup }]);
         prop_assert!(mesh.parts.len() > 1, "cut");
@@ -282,7 +309,9 @@ fn the_file_is_valid_where_readers_are_strict() {
     assert_eq!(bytes[8..12], (bytes.len() as u32).to_le_bytes());
     // This reader validates, and wants the extent of positions.
     let gltf::Gltf { document, blob } = gltf::Gltf::from_slice(&bytes).unwrap();
-    assert_eq!(document.extensions_used().collect::<Vec<_>>(), ["KHR_lights_punctual"]);
+    let used: Vec<&str> = document.extensions_used().collect();
+    // The built-in worlds' surfaces reflect nothing, which the format has a word for.
+    assert_eq!(used, ["KHR_materials_specular", "KHR_lights_punctual"]);
     let length = blob.unwrap().len();
     for view in document.views() {
         assert!(view.offset() % 4 == 0 && view.offset() + view.length() <= length, "{}", view.index());

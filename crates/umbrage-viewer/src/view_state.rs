@@ -1,7 +1,7 @@
 //! What the picture depends on beside the world: camera, time, settings and what is drawn. It outlives a lost device.
 
 use umbrage::Settings;
-use umbrage_render::{Frame, MapLook, Mark, RenderError, Show};
+use umbrage_render::{Exposure, Frame, MapLook, Mark, RenderError, Show};
 use umbrage_scene::{Camera, Light, LightKind, Scene};
 
 use crate::flight::Flight;
@@ -64,6 +64,10 @@ pub struct ViewState {
     pub path: Option<PathPosition>,
     /// Whether a pixel has four samples (MSAA) instead of one.
     pub multisampled: bool,
+    /// How bright the picture is.
+    pub exposure: Exposure,
+    /// Whether haze takes colour from what is far.
+    pub haze: bool,
     /// The camera, and how it answers the pointer.
     pub flight: Flight,
     /// Whether the panels are shown.
@@ -101,6 +105,8 @@ impl ViewState {
             playing: false,
             path: None,
             multisampled: true,
+            exposure: Exposure::default(),
+            haze: true,
             flight: flight_at(scene, camera),
             panels: true,
             help: false,
@@ -111,7 +117,9 @@ impl ViewState {
     #[must_use]
     pub fn moved_to(&self, scene: &Scene) -> Self {
         let flight = self.flight.moved_to(flight_at(scene, None));
-        Self { flight, frozen_camera: None, hour: None, seconds: 0.0, path: None, ..self.clone() }
+        // What one world's light is exposed for is night or noon in another.
+        let exposure = Exposure { lux: None, ..self.exposure };
+        Self { flight, exposure, frozen_camera: None, hour: None, seconds: 0.0, path: None, ..self.clone() }
     }
 
     /// Moves to a camera of the scene, and leaves the path.
@@ -165,7 +173,8 @@ impl ViewState {
         let frozen = self.frozen_camera.as_ref();
         let planned_for =
             frozen.map(|camera| umbrage_render::camera(camera, width as f32 / height as f32)).transpose()?;
-        Ok(Frame { planned_for, samples: if self.multisampled { 4 } else { 1 }, ..frame })
+        let samples = if self.multisampled { 4 } else { 1 };
+        Ok(Frame { planned_for, samples, exposure: self.exposure, haze: self.haze, ..frame })
     }
 }
 

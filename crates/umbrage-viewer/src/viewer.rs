@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use eframe::{egui, egui_wgpu};
 use umbrage::Settings;
-use umbrage_render::Gpu;
+use umbrage_render::{Exposure, Gpu};
 use umbrage_scene::{Camera, Scene};
 
 use crate::action::Action;
@@ -39,7 +39,11 @@ pub struct Start {
     pub camera: Option<Camera>,
     /// Time of the animation, seconds from its start.
     pub seconds: f32,
-    /// The state of the view to go on with; it goes before `settings`, `camera` and `seconds`.
+    /// How bright pictures are.
+    pub exposure: Exposure,
+    /// Whether haze takes colour from what is far.
+    pub haze: bool,
+    /// The state of the view to go on with; it goes before all but `source` and `scene`.
     pub view: Option<ViewState>,
     /// The first message.
     pub message: Option<String>,
@@ -48,7 +52,17 @@ pub struct Start {
 impl Start {
     /// Begins with a world's first camera at the start of time.
     pub fn new(source: Source, settings: Settings) -> Self {
-        Self { source, scene: None, settings, camera: None, seconds: 0.0, view: None, message: None }
+        Self {
+            source,
+            scene: None,
+            settings,
+            camera: None,
+            seconds: 0.0,
+            exposure: Exposure::default(),
+            haze: true,
+            view: None,
+            message: None,
+        }
     }
 }
 
@@ -199,9 +213,11 @@ impl Viewer {
     }
 
     fn first_view(&self, scene: &Scene) -> ViewState {
-        let Start { settings, camera, seconds, .. } = &self.start;
+        let Start { settings, camera, seconds, exposure, haze, .. } = &self.start;
         ViewState {
             seconds: *seconds,
+            exposure: *exposure,
+            haze: *haze,
             // Four samples cost a software adapter four times.
             multisampled: self.gpu.adapter.kind != "software",
             ..ViewState::new(scene, settings.clone(), camera.as_ref())

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::parse::{area_degrees, size};
-use super::{AdapterArgs, PlaceArgs, ShadowArgs, WorldArgs};
+use super::{AdapterArgs, LookArgs, PlaceArgs, ShadowArgs, WorldArgs};
 
 #[derive(Debug, Args)]
 pub struct DemoArgs {
@@ -39,6 +39,8 @@ pub struct ViewArgs {
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
     #[command(flatten)]
+    pub look: LookArgs,
+    #[command(flatten)]
     pub shadows: ShadowArgs,
     #[command(flatten)]
     pub adapter: AdapterArgs,
@@ -51,6 +53,8 @@ pub struct ViewArgs {
 pub struct RenderArgs {
     #[command(flatten)]
     pub world: WorldArgs,
+    #[command(flatten)]
+    pub look: LookArgs,
     #[command(flatten)]
     pub shadows: ShadowArgs,
     #[command(flatten)]

@@ -24,6 +24,18 @@ pub fn area_degrees(text: &str) -> Result<f32, String> {
     degrees.ok_or_else(|| "wanted degrees, from 0 to below 180".to_owned())
 }
 
+/// Stops of exposure, from -100 to 100.
+pub fn stops(text: &str) -> Result<f32, String> {
+    let stops = text.parse().ok().filter(|stops| (-100.0..=100.0).contains(stops));
+    stops.ok_or_else(|| "wanted stops, from -100 to 100".to_owned())
+}
+
+/// An illuminance, lux.
+pub fn lux(text: &str) -> Result<f32, String> {
+    let lux = text.parse().ok().filter(|lux| (1e-6..=1e9).contains(lux));
+    lux.ok_or_else(|| "wanted lux, from 1e-6 to 1e9".to_owned())
+}
+
 /// Pixels, as `1280x720`.
 pub fn size(text: &str) -> Result<(u32, u32), String> {
     let wanted = || "wanted width x height in pixels, as 1280x720".to_owned();
@@ -38,6 +50,17 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn exposures_are_read_or_refused() {
+        assert_eq!((stops("-100"), stops("0.5"), lux("1e5")), (Ok(-100.0), Ok(0.5), Ok(100_000.0)));
+        for wrong in ["", "101", "-100.5", "nan", "inf", "bright"] {
+            assert!(stops(wrong).is_err(), "{wrong}");
+        }
+        for wrong in ["", "0", "-3", "nan", "inf", "1e10"] {
+            assert!(lux(wrong).is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn vectors_and_sizes_are_read_or_refused() {

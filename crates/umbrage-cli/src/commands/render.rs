@@ -21,14 +21,18 @@ pub fn run(args: &RenderArgs) -> Outcome {
         ));
     }
     let settings = settings::resolve(&args.shadows)?;
-    let scene = world::load(&args.world.world, args.world.seed)?;
+    let scene = world::load_with(&args.world.world, args.world.seed, &args.look)?;
     advice::warn_of_open_casters(&scene, &settings);
     let show = match (args.no_shadows, args.splits) {
         (true, _) => Show::Unshadowed,
         (false, true) => Show::Marked(Mark::Splits),
         (false, false) => Show::World,
     };
-    let frame = world::frame(&args.world, &scene, show)?;
+    let frame = Frame {
+        exposure: args.look.exposure(),
+        haze: !args.look.no_haze,
+        ..world::frame(&args.world, &scene, show)?
+    };
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     if let Some(path) = &args.aliasing {
         write_aliasing(path, &gpu, &scene, &world::shot(&args.world, &scene, world::PICTURE)?, &settings)?;

@@ -16,12 +16,18 @@ use crate::{output, settings, world};
 
 pub fn run(args: &ViewArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
-    let scene = world::load(&args.world, 0)?;
+    let scene = world::load_with(&args.world, 0, &args.look)?;
     let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
     if !native::has_display() {
         return Err(work(native::NO_DISPLAY.to_owned()));
     }
-    let start = Start { camera: Some(camera), seconds: args.time, ..of_scene(&args.world, scene, settings) };
+    let start = Start {
+        camera: Some(camera),
+        seconds: args.time,
+        exposure: args.look.exposure(),
+        haze: !args.look.no_haze,
+        ..of_scene(&args.world, scene, settings)
+    };
     let size = args.size.map(|(width, height)| [width as f32, height as f32]);
     let options = Options { adapter: args.adapter.adapter.clone(), size, unlimited: false };
     match args.bench {
@@ -51,7 +57,7 @@ fn of_scene(name: &str, scene: Scene, settings: Settings) -> Start {
 
 /// What is seen, as the other commands ask for it.
 fn seen(args: &ViewArgs) -> WorldArgs {
-    let ViewArgs { world, place, time, size: _, shadows: _, adapter: _, bench: _ } = args;
+    let ViewArgs { world, place, time, size: _, look: _, shadows: _, adapter: _, bench: _ } = args;
     WorldArgs {
         world: world.clone(),
         place: place.clone(),

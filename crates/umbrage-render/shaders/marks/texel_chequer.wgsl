@@ -1,5 +1,5 @@
-// Receivers with the texels of the first light's maps as a chequer. It needs `material.wgsl`, `surface.wgsl`,
-// `split_colour.wgsl` and `footprint.wgsl`.
+// Surfaces with the texels of the first light's maps as a chequer. It needs `scene.wgsl`, `receiver.wgsl`, umbrage's receiver
+// text, `split_colour.wgsl` and `footprint.wgsl`.
 
 /// A chequer of the map's texels, dark and light. Where texels are about as small as pixels it fades to its mean: what
 /// remains would only be a moiré.
@@ -10,7 +10,7 @@ fn texel_chequer(texel: vec2f, footprint: mat2x2f) -> f32 {
     return mix(0.5, f32(cell), clear);
 }
 
-fn chequered(base: vec3f, receiver: Receiver, facing: vec3f) -> vec3f {
+fn painted(base: vec3f, receiver: Receiver, facing: vec3f) -> vec3f {
     let world = scene.eye + receiver.from_eye;
     let view = umbrage_view_of(0u, world, facing);
     if view == UMBRAGE_NO_VIEW {
@@ -21,11 +21,4 @@ fn chequered(base: vec3f, receiver: Receiver, facing: vec3f) -> vec3f {
     let texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * umbrage_frame.views[view].tile_size;
     let tint = split_colour(view - umbrage_frame.lights[0].first_view);
     return mix(mix(base, tint, 0.35) * 0.35, mix(base, vec3f(0.9), 0.6), texel_chequer(texel, footprint_of(view, receiver, facing)));
-}
-
-@fragment
-fn shade(receiver: Receiver) -> @location(0) vec4f {
-    let texture = textureSample(base_texture, base_sampler, receiver.uv);
-    let facing = geometric_normal(receiver.from_eye);
-    return seen_surface(chequered(base_colour.rgb * texture.rgb, receiver, facing), receiver, facing);
 }

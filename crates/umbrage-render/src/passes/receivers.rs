@@ -6,13 +6,15 @@ use crate::draws::Draw;
 use crate::gpu::Gpu;
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers};
 use crate::scene_uniform::SceneUniform;
-use crate::shaders::{self, Look};
+use crate::shaders::{self, Look, RECEIVER_ENTRY};
 use crate::target::{DEPTH_FORMAT, Encoding};
 
 /// A pipeline that shades receivers one way, for one kind of target.
 #[derive(Debug)]
 pub(crate) struct Receivers {
     pipeline: wgpu::RenderPipeline,
+    /// Whether colours of vertices are read.
+    has_colours: bool,
 }
 
 impl Receivers {
@@ -24,19 +26,24 @@ impl Receivers {
         (uniform, scene, shadows): (&SceneUniform, &SceneBuffers, &Shadows),
         extra: Option<&wgpu::BindGroupLayout>,
     ) -> Self {
-        let text = shaders::receivers(look, &shadows.wgsl(1), shadows.settings().contact.as_ref());
+        let around = scene.surroundings.around;
+        let contact = shadows.settings().contact.as_ref();
+        let text = shaders::receivers(look, scene.finish, around, &shadows.wgsl(1), contact);
         let module = gpu.module("Receivers::module", text);
         let groups =
-            [Some(&uniform.layout), Some(shadows.bind_group_layout()), Some(&scene.material_layout), extra];
+            [Some(&uniform.layout), Some(shadows.bind_group_layout()), Some(&scene.materials.layout), extra];
+        let [positions, instances, attributes] = RECEIVER_BUFFERS;
+        let surfaces = [positions, instances, attributes, Some(scene.colours.stream.clone())];
+        let entry = shaders::vertex_entry(look, scene.finish);
         let layout = gpu.pipeline_layout("Receivers::layout", &groups);
         let pipeline = gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("Receivers::pipeline"),
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module: &module,
-                entry_point: Some("receiver"),
+                entry_point: Some(entry),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &RECEIVER_BUFFERS,
+                buffers: if entry == RECEIVER_ENTRY { &RECEIVER_BUFFERS } else { &surfaces },
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {
@@ -56,7 +63,7 @@ impl Receivers {
             multiview_mask: None,
             cache: None,
         });
-        Self { pipeline }
+        Self { pipeline, has_colours: entry != RECEIVER_ENTRY }
     }
 
     /// Draws receivers into a pass over a target. `extra` is group 3, for a look whose shader has one.
@@ -74,11 +81,15 @@ impl Receivers {
         if let Some(group) = extra {
             pass.set_bind_group(3, group, &[]);
         }
-        scene.bind_receivers(pass, instance_numbers);
+        if self.has_colours {
+            scene.bind_surfaces(pass, instance_numbers);
+        } else {
+            scene.bind_receivers(pass, instance_numbers);
+        }
         let mut bound = None;
         for draw in draws {
             if bound != Some(draw.material) {
-                pass.set_bind_group(2, &scene.materials[draw.material as usize], &[]);
+                pass.set_bind_group(2, &scene.materials.groups[draw.material as usize], &[]);
                 bound = Some(draw.material);
             }
             pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());

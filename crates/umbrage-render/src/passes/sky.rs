@@ -2,7 +2,7 @@
 
 use crate::gpu::Gpu;
 use crate::scene_uniform::SceneUniform;
-use crate::shaders;
+use crate::shaders::{self, Around};
 use crate::target::{DEPTH_FORMAT, Encoding};
 
 /// A pipeline that draws the sky, for one kind of target.
@@ -12,9 +12,9 @@ pub(crate) struct Sky {
 }
 
 impl Sky {
-    pub fn new(gpu: &Gpu, uniform: &SceneUniform, encoding: Encoding, samples: u32) -> Self {
+    pub fn new(gpu: &Gpu, uniform: &SceneUniform, around: Around, encoding: Encoding, samples: u32) -> Self {
         let (text, fragment) = match encoding {
-            Encoding::Srgb => (shaders::sky(), "sky_shade"),
+            Encoding::Srgb => (shaders::sky(around), "sky_shade"),
             Encoding::Linear => (shaders::lit_sky(), "sky_visibility"),
         };
         let module = gpu.module("Sky::module", text);

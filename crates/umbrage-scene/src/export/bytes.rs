@@ -17,6 +17,13 @@ impl Document {
         Self { root, bytes: Vec::new() }
     }
 
+    /// Declares that the file uses an extension.
+    pub fn uses(&mut self, extension: &str) {
+        if !self.root.extensions_used.iter().any(|used| used == extension) {
+            self.root.extensions_used.push(extension.to_owned());
+        }
+    }
+
     /// The JSON, with its buffer declared, and the buffer.
     pub fn finish(mut self) -> (Root, Vec<u8>) {
         if !self.bytes.is_empty() {

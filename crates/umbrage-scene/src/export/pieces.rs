@@ -3,64 +3,29 @@
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::buffer::Target;
 use gltf::json::camera::{Orthographic, Perspective, Type as CameraType};
 use gltf::json::extensions::scene::{Node as NodeExtensions, khr_lights_punctual as punctual};
-use gltf::json::material::{PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked::Valid;
-use gltf::json::{Camera as JsonCamera, Image, Index, Material as JsonMaterial, Mesh as JsonMesh, texture};
+use gltf::json::{Camera as JsonCamera, Image, Index, Mesh as JsonMesh};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _};
 
 use super::bytes::Document;
 use crate::error::Fault;
 use crate::import::MAX_SIDE_PX;
-use crate::{Aabb, Camera, Lens, Light, LightKind, Material, Mesh, Part, Texture};
+use crate::{Aabb, Camera, Lens, Light, LightKind, Mesh, Part, Texture};
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
-/// Adds all materials, in order, and the textures that they use, in order.
-pub(super) fn add_materials(
-    document: &mut Document,
-    materials: &[Material],
-    textures: &[Texture],
-) -> Result<(), Fault> {
-    let mut used: BTreeMap<usize, Index<gltf::json::Texture>> =
-        materials.iter().filter_map(|material| Some((material.texture?, Index::new(0)))).collect();
-    for (&i, index) in &mut used {
-        let texture = textures.get(i).ok_or_else(|| Fault(format!("texture {i} of {}", textures.len())))?;
-        *index = add_texture(document, texture)?;
-    }
-    for Material { name, base_colour, texture } in materials {
-        if !base_colour.is_finite() {
-            return Err(Fault(format!("the base colour of material {name:?} is {base_colour}")));
-        }
-        let base_color_texture = texture.and_then(|i| used.get(&i)).map(|&index| texture::Info {
-            index,
-            tex_coord: 0,
-            extensions: None,
-            extras: None,
-        });
-        let pbr_metallic_roughness = PbrMetallicRoughness {
-            base_color_factor: PbrBaseColorFactor(base_colour.to_array()),
-            base_color_texture,
-            metallic_factor: StrengthFactor(0.0),
-            ..PbrMetallicRoughness::default()
-        };
-        document.root.push(JsonMaterial {
-            name: Some(name.clone()),
-            pbr_metallic_roughness,
-            ..JsonMaterial::default()
-        });
-    }
-    Ok(())
-}
-
 /// Adds a picture as PNG, which loses nothing.
-fn add_texture(document: &mut Document, texture: &Texture) -> Result<Index<gltf::json::Texture>, Fault> {
+pub(super) fn add_texture(
+    document: &mut Document,
+    texture: &Texture,
+) -> Result<Index<gltf::json::Texture>, Fault> {
     let Texture { name, width, height, rgba } = texture;
     let sides = 1..=MAX_SIDE_PX;
     let fits = sides.contains(width) && sides.contains(height);
@@ -92,15 +57,19 @@ fn add_texture(document: &mut Document, texture: &Texture) -> Result<Index<gltf:
 
 /// Adds a mesh: one accessor for each attribute, one primitive for each part.
 pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<JsonMesh>, Fault> {
-    let Mesh { name, positions, normals, uvs, indices, parts, bounds: _ } = mesh;
+    let Mesh { name, positions, normals, uvs, colours, indices, parts, bounds: _ } = mesh;
     let fault = |why: String| Fault(format!("{why}, in mesh {name:?}"));
     let count = positions.len();
     if normals.len() != count || uvs.len() != count {
         let (normals, uvs) = (normals.len(), uvs.len());
         return Err(fault(format!("{count} positions, {normals} normals and {uvs} texture coordinates")));
     }
-    let finite =
-        positions.iter().chain(normals).all(|v| v.is_finite()) && uvs.iter().all(|uv| uv.is_finite());
+    if !colours.is_empty() && colours.len() != count {
+        return Err(fault(format!("{count} positions and {} colours", colours.len())));
+    }
+    let finite = positions.iter().chain(normals).all(|v| v.is_finite())
+        && uvs.iter().all(|uv| uv.is_finite())
+        && colours.iter().all(|colour| colour.is_finite());
     if !finite {
         return Err(fault("vertices that are not finite".to_owned()));
     }
@@ -112,11 +81,15 @@ pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<Jso
     document.set_extent(position, extent.min.to_array(), extent.max.to_array());
     let normal = document.floats(Type::Vec3, normals.iter().map(Vec3::to_array));
     let uv = document.floats(Type::Vec2, uvs.iter().map(Vec2::to_array));
-    let attributes = BTreeMap::from([
+    let mut attributes = BTreeMap::from([
         (Valid(Semantic::Positions), position),
         (Valid(Semantic::Normals), normal),
         (Valid(Semantic::TexCoords(0)), uv),
     ]);
+    if !colours.is_empty() {
+        let colours = document.floats(Type::Vec4, colours.iter().map(Vec4::to_array));
+        attributes.insert(Valid(Semantic::Colors(0)), colours);
+    }
     let view = document.view(indices.iter().flat_map(|i| i.to_le_bytes()), Some(Target::ElementArrayBuffer));
     let mut primitives = Vec::with_capacity(parts.len());
     for Part { indices: range, material, bounds: _ } in parts {
@@ -209,9 +182,7 @@ pub(super) fn add_light(document: &mut Document, light: &Light) -> Result<NodeEx
     if !(colour.is_finite() && intensity.is_finite() && angles && !range.is_nan()) {
         return Err(Fault(format!("light {name:?} has numbers that are not finite, {kind:?}")));
     }
-    if !document.root.extensions_used.iter().any(|used| used == LIGHTS) {
-        document.root.extensions_used.push(LIGHTS.to_owned());
-    }
+    document.uses(LIGHTS);
     let index = document.root.push(punctual::Light {
         color: colour.to_array(),
         intensity: *intensity,

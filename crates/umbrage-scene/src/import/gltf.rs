@@ -23,7 +23,14 @@ use crate::extras;
 use crate::{CameraPath, Instance, Motion, Scene};
 
 /// Extensions that are understood; the last is how integer positions are declared, and needs nothing more.
-const SUPPORTED: [&str; 3] = ["KHR_lights_punctual", "KHR_texture_transform", "KHR_mesh_quantization"];
+const SUPPORTED: [&str; 6] = [
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_specular",
+    "KHR_materials_unlit",
+    "KHR_texture_transform",
+    "KHR_mesh_quantization",
+];
 
 /// Reads a whole file, text or binary.
 pub(super) fn read(

@@ -117,7 +117,7 @@ fn read_libraries(names: &[String], files: Files<'_>, warnings: &mut Warnings) -
     libraries
 }
 
-/// Diffuse colours and pictures; each picture is unpacked once.
+/// Colours, shininess, and pictures of diffuse colours; each picture is unpacked once.
 fn read_materials(
     materials: &[tobj::Material],
     files: Files<'_>,
@@ -125,12 +125,18 @@ fn read_materials(
     scene: &mut Scene,
 ) -> Result<(), Fault> {
     let mut textures: HashMap<&str, usize> = HashMap::new();
-    for tobj::Material { name, diffuse, diffuse_texture, .. } in materials {
+    for tobj::Material { name, diffuse, diffuse_texture, specular, shininess, emissive, .. } in materials {
         let [red, green, blue] = diffuse.unwrap_or([1.0; 3]);
         if !Vec3::new(red, green, blue).is_finite() {
             return Err(Fault(format!("the diffuse colour of material {name:?} is {red} {green} {blue}")));
         }
         let mut material = Material::plain(&one_line(name), red, green, blue);
+        material.emission =
+            emissive.map(Vec3::from).filter(|light| light.is_finite()).unwrap_or_default().max(Vec3::ZERO);
+        if let Some(colour) = specular.map(Vec3::from).filter(|colour| colour.max_element() > 0.0) {
+            material.specular = colour.max_element().min(1.0);
+            material.roughness = roughness(shininess.unwrap_or_default());
+        }
         if let Some(path) = diffuse_texture.as_deref() {
             let texture = match textures.get(path) {
                 Some(&texture) => texture,
@@ -148,4 +154,26 @@ fn read_materials(
         scene.materials.push(material);
     }
     Ok(())
+}
+
+/// The roughness of a surface with the exponent of Phong's highlight, 0 or more. Blinn's highlight of that exponent is about
+/// as wide as a microfacet distribution of α² = 2 / (n + 2) (Walter et al., *Microfacet Models for Refraction*, EGSR 2007,
+/// eq. 33), and α is the square of glTF's roughness.
+fn roughness(exponent: f32) -> f32 {
+    let exponent = if exponent.is_finite() { exponent.max(0.0) } else { 0.0 };
+    (2.0 / (exponent + 2.0)).powf(0.25)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shinier_the_smoother() {
+        assert_eq!(
+            [roughness(0.0), roughness(30.0), roughness(-5.0), roughness(f32::NAN)],
+            [1.0, 0.5, 1.0, 1.0]
+        );
+        assert!(roughness(1000.0) < 0.22);
+    }
 }

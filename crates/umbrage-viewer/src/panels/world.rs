@@ -1,6 +1,7 @@
 //! The world as it is seen: time of day, animation, the camera's motion, and what is drawn.
 
 use eframe::egui;
+use umbrage_render::FrameLight;
 use umbrage_scene::Scene;
 
 use crate::action::Action;
@@ -17,6 +18,7 @@ pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Ac
     }
     animation(ui, view);
     camera(ui, view);
+    brightness(ui, view, scene);
     let msaa = ui.checkbox(&mut view.multisampled, "multisampling");
     msaa.on_hover_text(
         "Four samples a pixel (MSAA), which cost a software adapter four times. Ground truth is compared at one.",
@@ -32,6 +34,42 @@ pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Ac
     let mut compare = view.compare;
     let box_ = ui.checkbox(&mut compare, "compare two settings");
     box_.on_hover_text("Side by side, with a divider to drag (C).").changed().then_some(Action::ToggleCompare)
+}
+
+/// Exposure and haze.
+fn brightness(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) {
+    let stops = egui::Slider::new(&mut view.exposure.stops, -8.0..=8.0)
+        .text("exposure")
+        .clamping(egui::SliderClamping::Never)
+        .suffix(" stops")
+        .max_decimals(1);
+    ui.add(stops)
+        .on_hover_text("How much brighter or darker the picture is; each stop doubles or halves its light.");
+    let mut automatic = view.exposure.lux.is_none();
+    let box_ = ui.checkbox(&mut automatic, "automatic exposure");
+    let help =
+        "Stops count from what the world's own lights ask for. Off, they count from a light that stays.";
+    if box_.on_hover_text(help).changed() {
+        view.exposure.lux = (!automatic).then(|| metered(view, scene));
+    }
+    if let Some(lux) = &mut view.exposure.lux {
+        let slider = egui::Slider::new(lux, 1e-3..=1e6)
+            .logarithmic(true)
+            .clamping(egui::SliderClamping::Never)
+            .text("exposed for")
+            .suffix(" lx");
+        ui.add(slider).on_hover_text("A white surface in this light is white on the screen, lux.");
+    }
+    ui.checkbox(&mut view.haze, "haze").on_hover_text(
+        "Takes colour from what is far, in worlds with a sun; thicker the smaller the world is.",
+    );
+}
+
+/// What the world's lights ask for, lux.
+fn metered(view: &ViewState, scene: &Scene) -> f32 {
+    let lights = view.lights(scene);
+    let lights: Vec<_> = lights.iter().filter_map(|light| FrameLight::at(light, view.seconds).ok()).collect();
+    umbrage_render::metered_lux(scene, &lights)
 }
 
 fn time_of_day(ui: &mut egui::Ui, hour: &mut Option<f32>) {

@@ -1,11 +1,17 @@
-//! Materials: a base colour, the picture of it, and where on the picture a vertex is.
+//! Materials: their numbers, and the pictures of those.
+//!
+//! A vertex has one pair of texture coordinates here: those of the base colour's picture, with its `KHR_texture_transform`
+//! applied; where there is none, of the first other picture. What other pictures do differently is a transform from there.
+
+mod mapping;
+mod maps;
 
 use std::collections::BTreeMap;
 
-use glam::{Affine2, Vec2, Vec4};
+use glam::{Vec3, Vec4};
 use gltf::json::material::AlphaMode;
 use gltf::json::validation::Checked;
-use gltf::json::{Image, Index, Material as JsonMaterial, texture};
+use gltf::json::{Image, Index, Material as JsonMaterial, Value};
 
 use super::accessors::Data;
 use crate::error::Fault;
@@ -15,7 +21,10 @@ use crate::import::pictures;
 use crate::import::warnings::Warnings;
 use crate::{Material, Texture};
 
-/// All materials of a file, in its order, and all pictures of base colours, in its order.
+pub(super) use mapping::Mapping;
+use maps::Pictures;
+
+/// All materials of a file, in its order, and all pictures that they use, in its order.
 #[derive(Debug, Default)]
 pub(super) struct Surfaces {
     pub materials: Vec<Material>,
@@ -24,23 +33,15 @@ pub(super) struct Surfaces {
     plain: Option<usize>,
 }
 
-/// Which texture coordinates a material uses, and what it does with them.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Mapping {
-    /// The `n` of `TEXCOORD_n`.
-    pub set: u32,
-    /// `KHR_texture_transform`; `None` where it changes nothing.
-    pub picture_from_uv: Option<Affine2>,
-}
-
 impl Surfaces {
-    /// The material of a primitive, and its mapping. White where the file gives none.
+    /// The material of a primitive, and its mapping. Where the file gives none it is glTF's default: rough white metal.
     pub fn of(&mut self, index: Option<Index<JsonMaterial>>) -> (usize, Mapping) {
         match index {
             Some(index) => (index.value(), self.mappings[index.value()]),
             None => {
                 let plain = *self.plain.get_or_insert_with(|| {
-                    self.materials.push(Material::plain("default", 1.0, 1.0, 1.0));
+                    let plain = Material::plain("default", 1.0, 1.0, 1.0);
+                    self.materials.push(Material { metallic: 1.0, specular: 1.0, ..plain });
                     self.materials.len() - 1
                 });
                 (plain, Mapping::default())
@@ -49,7 +50,7 @@ impl Surfaces {
     }
 }
 
-/// Reads all materials, and the pictures of their base colours.
+/// Reads all materials, and the pictures that they use.
 pub(super) fn read(
     data: &Data<'_>,
     files: Files<'_>,
@@ -58,33 +59,88 @@ pub(super) fn read(
 ) -> Result<Surfaces, Fault> {
     let mut surfaces = Surfaces::default();
     let root = data.root;
-    let image_of = |info: &texture::Info| root.textures[info.index.value()].source;
-    let base_textures =
-        || root.materials.iter().filter_map(|m| m.pbr_metallic_roughness.base_color_texture.as_ref());
-    let mut textures: BTreeMap<usize, usize> =
-        base_textures().map(|info| (image_of(info).value(), 0)).collect();
-    for (&image, texture) in &mut textures {
-        *texture = surfaces.textures.len();
-        surfaces.textures.push(picture(data, image, files, budget)?);
+    // Which images are used, and whether one is that of a base colour: the others can be done without.
+    let mut used: BTreeMap<usize, bool> = BTreeMap::new();
+    for material in &root.materials {
+        for (texture, is_base) in maps::textures(material) {
+            *used.entry(root.textures[texture].source.value()).or_default() |= is_base;
+        }
     }
-    for (i, material) in root.materials.iter().enumerate() {
-        let name = material.name.clone().unwrap_or_else(|| format!("material {i}"));
-        if !matches!(material.alpha_mode, Checked::Valid(AlphaMode::Opaque)) {
+    let mut textures = BTreeMap::new();
+    for (image, is_base) in used {
+        match picture(data, image, files, budget) {
+            Ok(picture) => {
+                textures.insert(image, surfaces.textures.len());
+                surfaces.textures.push(picture);
+            }
+            Err(fault) if is_base => return Err(fault),
+            Err(Fault(why)) => warnings.note("pictures that cannot be read are left out", &why),
+        }
+    }
+    let pictures = Pictures { root, textures: &textures };
+    for (i, json) in root.materials.iter().enumerate() {
+        let name = json.name.clone().unwrap_or_else(|| format!("material {i}"));
+        if !matches!(json.alpha_mode, Checked::Valid(AlphaMode::Opaque)) {
             warnings.note("transparent materials are drawn as opaque", &name);
         }
-        let pbr = &material.pbr_metallic_roughness;
-        let base_colour = Vec4::from(pbr.base_color_factor.0);
-        if !base_colour.is_finite() {
-            return Err(Fault(format!(
-                "the base colour of material {name:?} is {base_colour}, need finite numbers"
-            )));
-        }
-        let info = pbr.base_color_texture.as_ref();
-        let texture = info.map(|info| textures[&image_of(info).value()]);
-        surfaces.mappings.push(info.map_or(Ok(Mapping::default()), |info| mapping(info, &name))?);
-        surfaces.materials.push(Material { name, base_colour, texture });
+        let mut material = numbers(json, name, warnings)?;
+        surfaces.mappings.push(pictures.give(&mut material, json, warnings)?);
+        surfaces.materials.push(material);
     }
     Ok(surfaces)
+}
+
+/// A material's numbers, without pictures.
+fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Result<Material, Fault> {
+    let pbr = &json.pbr_metallic_roughness;
+    let base_colour = Vec4::from(pbr.base_color_factor.0);
+    if !base_colour.is_finite() {
+        return Err(Fault(format!(
+            "the base colour of material {name:?} is {base_colour}, need finite numbers"
+        )));
+    }
+    let of_extension = |extension: &str, member: &str, warnings: &mut Warnings| {
+        let value = json.extensions.as_ref()?.others.get(extension)?.get(member)?;
+        let number = number(value);
+        if number.is_none() {
+            warnings.note(
+                "numbers of materials that are none, or below 0, become 1",
+                &format!("{member} of {name}"),
+            );
+        }
+        number
+    };
+    let strength =
+        of_extension("KHR_materials_emissive_strength", "emissiveStrength", warnings).unwrap_or(1.0);
+    let specular = of_extension("KHR_materials_specular", "specularFactor", warnings).unwrap_or(1.0);
+    let mut emission = Vec3::from(json.emissive_factor.0) * strength;
+    if !emission.is_finite() {
+        warnings.note("emission that is not finite is left out", &name);
+        emission = Vec3::ZERO;
+    }
+    let unlit = json
+        .extensions
+        .as_ref()
+        .is_some_and(|extensions| extensions.others.contains_key("KHR_materials_unlit"));
+    Ok(Material {
+        metallic: share(pbr.metallic_factor.0),
+        roughness: share(pbr.roughness_factor.0),
+        specular: share(specular),
+        emission: emission.max(Vec3::ZERO),
+        unlit,
+        base_colour,
+        ..Material::plain(&name, 1.0, 1.0, 1.0)
+    })
+}
+
+/// A number of 0 or more that is finite.
+fn number(value: &Value) -> Option<f32> {
+    value.as_f64().map(|number| number as f32).filter(|number| number.is_finite() && *number >= 0.0)
+}
+
+/// The nearest number from 0 to 1.
+fn share(number: f32) -> f32 {
+    if number > 1.0 { 1.0 } else { number.max(0.0) }
 }
 
 fn picture(data: &Data<'_>, index: usize, files: Files<'_>, budget: &mut Budget) -> Result<Texture, Fault> {
@@ -100,19 +156,4 @@ fn picture(data: &Data<'_>, index: usize, files: Files<'_>, budget: &mut Budget)
         }
         (None, None) => Err(Fault(format!("{} has neither a URI nor a buffer view", label()))),
     }
-}
-
-/// Source: the `KHR_texture_transform` specification. Its angle is counter-clockwise on the picture, where v is down.
-fn mapping(info: &texture::Info, material: &str) -> Result<Mapping, Fault> {
-    let transform = info.extensions.as_ref().and_then(|extensions| extensions.texture_transform.as_ref());
-    let Some(transform) = transform else {
-        return Ok(Mapping { set: info.tex_coord, picture_from_uv: None });
-    };
-    let (scale, angle) = (Vec2::from(transform.scale.0), transform.rotation.0);
-    let picture_from_uv = Affine2::from_scale_angle_translation(scale, -angle, transform.offset.0.into());
-    if !picture_from_uv.is_finite() {
-        return Err(Fault(format!("the texture transform of material {material:?} is not finite")));
-    }
-    let set = transform.tex_coord.unwrap_or(info.tex_coord);
-    Ok(Mapping { set, picture_from_uv: (picture_from_uv != Affine2::IDENTITY).then_some(picture_from_uv) })
 }

@@ -6,7 +6,8 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
+use gltf::json::accessor::Type;
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
 use gltf::json::{Accessor, Index};
@@ -52,12 +53,21 @@ struct Builder<'a> {
     warnings: &'a mut Warnings,
 }
 
+/// Where the looks of vertices come from.
+#[derive(Clone, Copy, Debug)]
+struct Looks {
+    uvs: Option<Index<Accessor>>,
+    mapping: Mapping,
+    colours: Option<Index<Accessor>>,
+}
+
 /// What vertices are made from; equal sources make equal vertices.
 #[derive(Clone, PartialEq, Eq, Hash)]
 struct Sources {
     positions: usize,
     normals: usize,
     uvs: Option<usize>,
+    colours: Option<usize>,
     picture_from_uv: Option<[u32; 6]>,
 }
 
@@ -75,20 +85,18 @@ impl Builder<'_> {
             self.warnings.note("primitives without positions are left out", &self.mesh.name);
             return Ok(());
         };
-        if get(Semantic::Colors(0)).is_some() {
-            self.warnings.note("vertex colours are ignored", &self.mesh.name);
-        }
         if primitive.targets.is_some() {
             self.warnings.note("morph targets are ignored", &self.mesh.name);
         }
         let (material, mapping) = surfaces.of(primitive.material);
-        let uvs = get(Semantic::TexCoords(mapping.set));
+        let looks =
+            Looks { uvs: get(Semantic::TexCoords(mapping.set)), mapping, colours: get(Semantic::Colors(0)) };
         let (base, triangles) = match get(Semantic::Normals) {
             Some(normals) => {
-                let (base, count) = self.shared(positions, normals, uvs, mapping)?;
+                let (base, count) = self.shared(positions, normals, looks)?;
                 (base, self.triangles(primitive, mode, count)?)
             }
-            None => self.flat(primitive, mode, positions, uvs, mapping)?,
+            None => self.flat(primitive, mode, positions, looks)?,
         };
         let base = base as u32;
         self.mesh.add_triangles(triangles.iter().map(|t| t.map(|i| base + i)), material);
@@ -100,14 +108,14 @@ impl Builder<'_> {
         &mut self,
         positions: Index<Accessor>,
         normals: Index<Accessor>,
-        uvs: Option<Index<Accessor>>,
-        mapping: Mapping,
+        Looks { uvs, mapping, colours }: Looks,
     ) -> Result<(usize, usize), Fault> {
         let bits = |transform: glam::Affine2| transform.to_cols_array().map(f32::to_bits);
         let sources = Sources {
             positions: positions.value(),
             normals: normals.value(),
             uvs: uvs.map(|uvs| uvs.value()),
+            colours: colours.map(|colours| colours.value()),
             picture_from_uv: mapping.picture_from_uv.map(bits),
         };
         if let Entry::Occupied(known) = self.known.entry(sources.clone()) {
@@ -124,6 +132,8 @@ impl Builder<'_> {
         self.mesh.normals.extend(normals.into_iter().map(Vec3::from));
         let uvs = self.uvs(uvs, mapping, count)?;
         self.mesh.uvs.extend(uvs);
+        let colours = self.colours(colours, count)?;
+        self.mesh.add_colours(&colours);
         self.known.insert(sources, (base, count));
         Ok((base, count))
     }
@@ -134,18 +144,20 @@ impl Builder<'_> {
         primitive: &Primitive,
         mode: Mode,
         positions: Index<Accessor>,
-        uvs: Option<Index<Accessor>>,
-        mapping: Mapping,
+        Looks { uvs, mapping, colours }: Looks,
     ) -> Result<(usize, Vec<[u32; 3]>), Fault> {
         let base = self.mesh.positions.len();
         let positions = self.positions(positions)?;
         let uvs = self.uvs(uvs, mapping, positions.len())?;
+        let colours = self.colours(colours, positions.len())?;
         let triangles = self.triangles(primitive, mode, positions.len())?;
         let corners = triangles.as_flattened();
         self.budget.vertices(corners.len())?;
         self.mesh.positions.extend(corners.iter().map(|&i| positions[i as usize]));
         self.mesh.uvs.extend(corners.iter().map(|&i| uvs[i as usize]));
         self.mesh.normals.resize(self.mesh.positions.len(), Vec3::ZERO);
+        let colour = |&i: &u32| colours.get(i as usize).copied();
+        self.mesh.add_colours(&corners.iter().filter_map(colour).collect::<Vec<_>>());
         Ok((base, (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()))
     }
 
@@ -213,5 +225,27 @@ impl Builder<'_> {
             *uv = Vec2::ZERO;
         }
         Ok(uvs)
+    }
+
+    /// Colours for `count` vertices, RGB or RGBA; none where the file has none.
+    fn colours(&mut self, index: Option<Index<Accessor>>, count: usize) -> Result<Vec<Vec4>, Fault> {
+        let Some(index) = index else { return Ok(Vec::new()) };
+        let is_rgb = matches!(self.data.root.accessors[index.value()].type_, Checked::Valid(Type::Vec3));
+        let mut colours: Vec<Vec4> = if is_rgb {
+            self.data.vectors::<3>(index)?.into_iter().map(|rgb| Vec3::from(rgb).extend(1.0)).collect()
+        } else {
+            self.data.vectors::<4>(index)?.into_iter().map(Vec4::from).collect()
+        };
+        if colours.len() != count {
+            return Err(Fault(format!("{count} positions and {} colours", colours.len())));
+        }
+        for colour in &mut colours {
+            if !colour.is_finite() {
+                self.warnings.note("vertex colours that are not finite become white", &self.mesh.name);
+                *colour = Vec4::ONE;
+            }
+            *colour = colour.clamp(Vec4::ZERO, Vec4::ONE);
+        }
+        Ok(colours)
     }
 }

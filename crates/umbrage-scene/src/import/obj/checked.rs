@@ -102,13 +102,21 @@ fn face(corners: &str, so_far: [i64; 3], all: [i64; 3]) -> Result<usize, String>
     }
 }
 
-/// Checks a material library; only colours and pictures of the diffuse light are kept.
+/// Checks a material library; only colours, shininess and pictures of the diffuse light are kept.
 pub(super) fn library(bytes: &[u8]) -> Result<String, Fault> {
     let mut checked = String::new();
     for (line, number) in String::from_utf8_lossy(bytes).lines().zip(1..) {
         let mut words = line.split_whitespace();
-        match words.next() {
-            Some("Kd") if words.clone().map_while(|word| word.parse::<f32>().ok()).count() < 3 => {
+        let first = words.next();
+        let numbers = words.clone().map_while(|word| word.parse::<f32>().ok()).count();
+        // What the program can do without is dropped where it is malformed.
+        let wanted = match first {
+            Some("Ks" | "Ke") => 3,
+            Some("Ns") => 1,
+            Some(_) | None => 0,
+        };
+        match first {
+            Some("Kd") if numbers < 3 => {
                 return Err(Fault(format!("a diffuse colour that is not 3 numbers, line {number}")));
             }
             Some("newmtl" | "map_Kd") if words.clone().next().is_none() => {
@@ -120,7 +128,7 @@ pub(super) fn library(bytes: &[u8]) -> Result<String, Fault> {
                 checked.push_str(words.next_back().unwrap_or_default());
                 checked.push('\n');
             }
-            Some("newmtl" | "Kd" | "map_Kd") => {
+            Some("newmtl" | "Kd" | "map_Kd" | "Ks" | "Ke" | "Ns") if numbers >= wanted => {
                 checked.push_str(line.trim());
                 checked.push('\n');
             }

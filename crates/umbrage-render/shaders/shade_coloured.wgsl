@@ -1,0 +1,27 @@
+// The shaders of surfaces whose vertices have colours. It needs what `shade.wgsl` needs.
+
+struct ColouredReceiver {
+    @builtin(position) clip: vec4f,
+    @location(0) from_eye: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+    @location(3) colour: vec4f,
+}
+
+@vertex
+fn coloured_receiver(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+    @location(3) instance: u32,
+    @location(4) colour: vec4f,
+) -> ColouredReceiver {
+    let placed = placed_receiver(position, normal, uv, instance);
+    return ColouredReceiver(placed.clip, placed.from_eye, placed.normal, placed.uv, colour);
+}
+
+@fragment
+fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
+    let facing = geometric_normal(receiver.from_eye);
+    return seen_surface(painted(base_colour(receiver) * colour.rgb, receiver, facing), receiver, facing);
+}
