@@ -118,8 +118,7 @@ pub struct LookArgs {
     /// How much brighter than the scene asks for, stops: each doubles the light, -1 halves it
     #[arg(long, value_name = "STOPS", default_value_t = 0.0, value_parser = parse::stops, allow_negative_numbers = true)]
     pub exposure: f32,
-    /// Expose for so much light, lux, instead of metering it from the scene: full sun 100000, an office 500, the built-in
-    /// worlds' sun 3
+    /// Expose for so much light, lux, instead of metering it from the scene: full sun 100000, an office 500
     #[arg(long, value_name = "LUX", value_parser = parse::lux, allow_negative_numbers = true)]
     pub exposed_for: Option<f32>,
     /// Clear air: without it, haze takes colour from what is far in a scene with a sun

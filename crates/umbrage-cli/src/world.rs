@@ -26,6 +26,9 @@ pub fn load_with(name: &str, seed: u64, look: &LookArgs) -> Outcome<Scene> {
     Ok(Scene { environment, ..load(name, seed)? })
 }
 
+/// As bright as the sun of the built-in worlds, lux.
+const SUN_LUX: f32 = 3.0;
+
 /// Size of a picture where the command line does not say, pixels.
 pub const PICTURE: (u32, u32) = (1280, 720);
 
@@ -53,7 +56,7 @@ fn lights(args: &WorldArgs, scene: &Scene) -> Outcome<Vec<Light>> {
     if let Some(direction) = args.sun {
         // It is refused here, by the words that were given.
         umbrage::Light::directional(direction).map_err(Failure::usage)?;
-        return Ok(vec![Light::sun(direction, 1.0)]);
+        return Ok(vec![Light::sun(direction, SUN_LUX)]);
     }
     let lights: Vec<Light> = match args.light[..] {
         [] => scene.lights.clone(),

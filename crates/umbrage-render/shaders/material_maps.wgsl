@@ -13,7 +13,7 @@ fn place_on(map: u32, uv: vec2f) -> vec2f {
 }
 
 /// A normal of a picture, in the frame of the surface's texture coordinates: how those change from pixel to pixel says how
-/// they lie (Mikkelsen 2010; Schüler 2013). Green is up, and v is down.
+/// they lie (Mikkelsen 2010; Schüler 2006). Green is up, and v is down.
 fn mapped_normal(normal: vec3f, receiver: Receiver, uv: vec2f, picture_normal: vec3f) -> vec3f {
     let across = dpdx(receiver.from_eye);
     let down = dpdy(receiver.from_eye);

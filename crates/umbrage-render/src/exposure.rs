@@ -2,7 +2,8 @@
 //!
 //! Lights have the units of `KHR_lights_punctual`, lux and candela, and their numbers range from moonlight to noon. A picture
 //! is exposed for one illuminance: a white surface that is lit by so many lux has [`WHITE`] as its light, before the tone
-//! map. By default that illuminance is metered from the scene (`metering.rs`), and stops are counted from there.
+//! map. By default that is what the scene says that it was made for, or else what is metered from it (`metering.rs`); stops
+//! are counted from there.
 
 /// Says how bright a picture is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -10,13 +11,13 @@ pub struct Exposure {
     /// How much brighter than the exposure below, in stops: each doubles the light. From -100 to 100, beyond which it counts
     /// as those; 0 where it is not a number. Default: 0.
     pub stops: f32,
-    /// The illuminance that the picture is exposed for, lux; metered from the scene where absent, which is the default.
+    /// The illuminance that the picture is exposed for, lux; what the scene asks for where absent, which is the default.
     pub lux: Option<f32>,
 }
 
 /// The light, before the tone map, of a white matte surface that faces the illuminance which a picture is exposed for.
-/// It is more than 1, since few surfaces are white and few face the light; `docs/pictures.md` has the pictures that say so.
-pub(crate) const WHITE: f32 = 2.6;
+/// It is a little more than 1, since few surfaces face the light: base colours come out about as they are.
+pub(crate) const WHITE: f32 = 1.2;
 
 /// The most stops either way. Light times 2¹⁰⁰ is still a number.
 const MOST_STOPS: f32 = 100.0;

@@ -2,7 +2,7 @@
 //!
 //! Some thousand points are spread over the scene's surfaces once, more of them where the camera is near. Each gets its
 //! brightest light: a sun's full illuminance, since a sun is not to be dimmed for surfaces that lie askew, and a lamp's as
-//! it falls on the surface. An eighth of the points, weighted by how large and somewhat by how bright they look, are
+//! it falls on the surface. A fifth of the points, weighted by how large and somewhat by how bright they look, are
 //! brighter than the answer. Shadows are not asked for, so the answer is the same whatever settings they have; and
 //! neither is the camera that looks, so pictures of a scene from many sides are exposed alike.
 //!
@@ -18,9 +18,8 @@ use crate::light::FrameLight;
 /// How many points there are.
 const SAMPLES: usize = 4096;
 
-/// The share of points, by weight, that are brighter than the answer: bulbs, and what is close to lamps. With this share the
-/// built-in worlds that have lamps are exposed within a stop of the light that they were made for.
-const BRIGHTER: f64 = 0.12;
+/// The share of points, by weight, that are brighter than the answer: bulbs, and what is close to lamps.
+const BRIGHTER: f64 = 0.2;
 
 /// How much more a bright point weighs, as a power: 1 would be dazzled by the bulb around a lamp, and 0 would find a lamp on
 /// a wide plain too dark to see.
@@ -55,10 +54,11 @@ struct Sample {
     emission: f32,
 }
 
-/// Returns the illuminance that pictures of a scene are exposed for under these lights, lux, where nothing else is asked for.
+/// Returns the illuminance that pictures of a scene are exposed for under these lights, lux, where nothing else is asked for:
+/// its own, or else what is metered.
 pub fn metered_lux(scene: &Scene, lights: &[FrameLight]) -> f32 {
     let around = scene.environment.as_ref().map_or(0.0, crate::environment::lux);
-    Meter::new(scene).illuminance(lights, around)
+    scene.exposed_for.unwrap_or_else(|| Meter::new(scene).illuminance(lights, around))
 }
 
 impl Meter {

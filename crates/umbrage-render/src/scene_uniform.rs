@@ -7,6 +7,7 @@ use umbrage::{Camera, LightKind, MAX_LIGHTS};
 use crate::buffers::{READ, binding, filled};
 use crate::environment::Environment;
 use crate::error::RenderError;
+use crate::exposure::WHITE;
 use crate::gpu::Gpu;
 use crate::light::FrameLight;
 use crate::placement::Placement;
@@ -46,7 +47,7 @@ struct GpuPicture {
 /// The light of a white surface that faces the sun, where the sky has its own brightness: that much darker than sunlight.
 const SUN_OF_THE_SKY: f32 = 2.6;
 
-/// How bright the sky is without a sun, beside a sky whose sun is what a picture is exposed for.
+/// How bright the sky is without a sun in a picture that is exposed as its scene asks for.
 const NIGHT: f32 = 0.04;
 
 /// Light beyond this is bounded, so that sums stay numbers.
@@ -151,14 +152,14 @@ fn gpu_scene(
     }
     let sun = brightest_sun(of);
     let sunlight = sun.map_or(Vec3::ZERO, |sun| white_in(sun.colour, exposed.factor));
-    let night = NIGHT * white_in(Vec3::splat(exposed.metered), exposed.factor).x;
+    let night = NIGHT * white_in(Vec3::splat(exposed.metered), exposed.factor).x / WHITE;
     GpuScene {
         clip_from_world,
         world_from_clip: clip_from_world.inverse(),
         eye: camera.eye(),
         light_count: of.len().min(MAX_LIGHTS) as u32,
         direction_to_sun: sun.map_or(Vec3::NEG_Y, |sun| sun.light.direction_from(Vec3::ZERO)),
-        daylight: sunlight.max_element().max(night) / SUN_OF_THE_SKY,
+        daylight: (sunlight.max_element() / SUN_OF_THE_SKY).max(night),
         sun: sunlight,
         shown_light: shown_light as u32,
         size: size.into(),

@@ -47,7 +47,7 @@ impl Metered {
         if let Some(lux) = self.lux.filter(|_| self.lights == lights) {
             return lux;
         }
-        let lux = surroundings.meter.illuminance(lights, surroundings.environment.lux);
+        let lux = surroundings.asks_for(lights);
         self.lights.clear();
         self.lights.extend(lights);
         *self.lux.insert(lux)

@@ -4,6 +4,7 @@ use umbrage_scene::Scene;
 
 use crate::environment::Environment;
 use crate::gpu::Gpu;
+use crate::light::FrameLight;
 use crate::metering::Meter;
 use crate::shaders::Around;
 
@@ -14,7 +15,9 @@ const HAZE_HALVES_AFTER: f32 = 6.0;
 /// What lies around a scene, on the device where shaders read it.
 #[derive(Debug)]
 pub(crate) struct Surroundings {
-    pub meter: Meter,
+    meter: Meter,
+    /// What the scene says that it was made for, lux.
+    exposed_for: Option<f32>,
     /// Halvings by haze in a metre.
     pub haze: f32,
     pub around: Around,
@@ -27,9 +30,15 @@ impl Surroundings {
         let haze = 1.0 / (HAZE_HALVES_AFTER * size);
         Self {
             meter: Meter::new(scene),
+            exposed_for: scene.exposed_for,
             haze: if haze.is_finite() { haze } else { 0.0 },
             around: if scene.environment.is_some() { Around::Picture } else { Around::Sky },
             environment: Environment::new(gpu, scene.environment.as_ref()),
         }
+    }
+
+    /// The illuminance to expose for under these lights, lux.
+    pub fn asks_for(&self, lights: &[FrameLight]) -> f32 {
+        self.exposed_for.unwrap_or_else(|| self.meter.illuminance(lights, self.environment.lux))
     }
 }

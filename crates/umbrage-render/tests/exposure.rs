@@ -59,11 +59,15 @@ fn assert_close(got: [u8; 3], want: [u8; 3], what: &str) {
     assert!(!differs, "{what}: {got:?} instead of {want:?}");
 }
 
-/// What the sky gives to a white surface that lies flat, beside a sun that is exposed for.
-const SKY: Vec3 = Vec3::new(0.30, 0.38, 0.52);
+/// What a white surface sends back in the light that is exposed for.
+const WHITE: f32 = 1.2;
+
+/// What it sends back of the sky that belongs to such a sun, where it lies flat; and of the night.
+const SKY: Vec3 = Vec3::new(0.30 * WHITE / 2.6, 0.38 * WHITE / 2.6, 0.52 * WHITE / 2.6);
+const NIGHT: Vec3 = Vec3::new(0.30 * 0.04, 0.38 * 0.04, 0.52 * 0.04);
 
 /// The exposure under which luminance is what the tone map gets.
-const AS_IT_IS: Exposure = Exposure { stops: 0.0, lux: Some(2.6 * PI) };
+const AS_IT_IS: Exposure = Exposure { stops: 0.0, lux: Some(WHITE * PI) };
 
 #[test]
 fn the_tone_map_is_khronos_pbr_neutral() {
@@ -91,7 +95,7 @@ fn the_tone_map_is_khronos_pbr_neutral() {
 #[test]
 fn a_white_plane_under_a_sun_of_any_strength_is_white_by_default() {
     let gpu = gpu();
-    let want = shown(SKY + 2.6);
+    let want = shown(SKY + WHITE);
     for lux in [1e-20, 0.1, 1.0, 3.0, 683.0, 100_000.0, 1e30] {
         let got = pixel(&gpu, &white(), &[Light::sun(Vec3::NEG_Y, lux)], Exposure::default());
         assert_close(got, want, &format!("{lux} lux"));
@@ -104,7 +108,7 @@ fn a_stop_doubles_the_light_and_a_hundred_are_white_or_black() {
     let scene = of(Material::plain("grey", 0.1, 0.1, 0.1));
     let sun = [Light::sun(Vec3::NEG_Y, 100_000.0)];
     for stops in [-3.0, -1.0, 0.0, 1.0, 2.0] {
-        let want = shown((SKY + 2.6) * 0.1 * f32::exp2(stops));
+        let want = shown((SKY + WHITE) * 0.1 * f32::exp2(stops));
         assert_close(pixel(&gpu, &scene, &sun, Exposure::of_stops(stops)), want, &format!("{stops} stops"));
     }
     for (stops, want) in [(100.0, [255; 3]), (1e30, [255; 3]), (-100.0, [0; 3]), (f32::NEG_INFINITY, [0; 3])]
@@ -127,8 +131,8 @@ fn a_lamp_has_candela_and_its_light_falls_with_the_square() {
     let dark = pixel(&gpu, &scene, &lamp(2.0, 0.0), exposure);
     for (height, candela) in [(2.0, 0.4), (4.0, 1.6), (8.0, 6.4), (20.0, 40.0)] {
         let lux = 0.1;
-        let night = Vec3::new(0.30, 0.38, 0.52) * 0.04 * metered_of(&scene, &lamp(height, candela));
-        let want = shown((Vec3::splat(2.6 * lux) + night) * 0.5);
+        let night = NIGHT * metered_of(&scene, &lamp(height, candela));
+        let want = shown((Vec3::splat(WHITE * lux) + night) * 0.5);
         assert_close(
             pixel(&gpu, &scene, &lamp(height, candela), exposure),
             want,
@@ -138,8 +142,8 @@ fn a_lamp_has_candela_and_its_light_falls_with_the_square() {
     assert!(dark[1] < 30, "{dark:?}");
     // A range ends the light; at half of it (1 − 1/16) is left.
     let ranged = [Light::point("lamp", Vec3::new(0.35, 2.0, -0.15), 4.0, 0.4)];
-    let night = Vec3::new(0.30, 0.38, 0.52) * 0.04 * metered_of(&scene, &ranged);
-    let want = shown((Vec3::splat(2.6 * 0.1 * 15.0 / 16.0) + night) * 0.5);
+    let night = NIGHT * metered_of(&scene, &ranged);
+    let want = shown((Vec3::splat(WHITE * 0.1 * 15.0 / 16.0) + night) * 0.5);
     assert_close(pixel(&gpu, &scene, &ranged, exposure), want, "a range of 4 m");
 }
 
@@ -197,15 +201,28 @@ fn a_world_looks_the_same_at_every_scale() {
 }
 
 #[test]
-fn built_in_worlds_are_exposed_for_the_light_that_they_were_made_for() {
+fn lamps_are_exposed_for_about_the_light_that_the_built_in_worlds_were_made_for() {
     for world in worlds::ALL {
-        let scene = world.build(0);
+        let own = world.build(0);
+        let scene = Scene { exposed_for: None, ..own.clone() };
         let frame = Frame::of(&scene.cameras[0], &scene.lights, 0.0, [16, 9], Show::World).expect("a frame");
         let lux = metered_lux(&scene, &frame.lights);
         println!("{}: {lux:.2} lux", world.name);
-        // Suns of 3 lux, and lamps that give 2.6 lux where it matters, to a stop.
+        // Suns of 3 lux, and lamps that give 2.6 lux where it matters, to a stop and a half.
         let is_sunny = scene.lights.iter().any(|light| light.kind == umbrage_scene::LightKind::Directional);
-        let made_for = if is_sunny { 3.0..=3.0 } else { 1.3..=5.2 };
+        let made_for = if is_sunny { 3.0..=3.0 } else { 0.9..=7.4 };
         assert!(made_for.contains(&lux), "{}: {lux} lux", world.name);
+        assert_eq!(Some(metered_lux(&own, &frame.lights)), own.exposed_for, "{} says its own", world.name);
     }
+}
+
+#[test]
+fn a_scene_that_says_what_it_is_exposed_for_is() {
+    let gpu = gpu();
+    let sun = [Light::sun(Vec3::NEG_Y, 3.0)];
+    let own = Scene { exposed_for: Some(6.0), ..white() };
+    let darker = pixel(&gpu, &white(), &sun, Exposure::of_stops(-1.0));
+    assert_close(pixel(&gpu, &own, &sun, Exposure::default()), darker, "twice as much light is exposed for");
+    let asked = Exposure { stops: 0.0, lux: Some(3.0) };
+    assert_close(pixel(&gpu, &own, &sun, asked), shown(SKY + WHITE), "what is asked for goes first");
 }

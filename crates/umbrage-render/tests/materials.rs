@@ -26,14 +26,14 @@ fn with_picture(rgb: [u8; 3], material: Material) -> Scene {
 
 const PICTURE: Map = Map { texture: 0, picture_from_uv: Affine2::IDENTITY };
 
-/// The middle of the ground, exposed for 10 lux, under a sun of 3.
+/// The middle of the ground, exposed for 4 lux, under a sun of 3.
 fn pixel(gpu: &Gpu, scene: &Scene) -> [u8; 3] {
     pixel_under(gpu, scene, Vec3::NEG_Y)
 }
 
 fn pixel_under(gpu: &Gpu, scene: &Scene, sun: Vec3) -> [u8; 3] {
     let frame = from_above(&Light::sun(sun, 3.0), Show::Unshadowed);
-    let exposure = Exposure { stops: 0.0, lux: Some(10.0) };
+    let exposure = Exposure { stops: 0.0, lux: Some(4.0) };
     let rgba = picture(gpu, scene, &Frame { haze: false, exposure, ..frame });
     let at = 4 * (PIXELS * PIXELS / 2 + PIXELS / 2) as usize;
     [rgba[at], rgba[at + 1], rgba[at + 2]]
@@ -218,7 +218,7 @@ fn an_environment_lights_from_where_it_is_bright() {
         let camera = umbrage_scene::Camera::looking("c", eye, eye + direction, 0.5, 0.5, 100.0);
         let camera = umbrage_render::camera(&camera, 1.0).expect("a camera");
         // A luminance of 4 is 0.6 for the tone map, which keeps its colour.
-        let exposure = Exposure { stops: 0.0, lux: Some(4.0 * 2.6 * std::f32::consts::PI / 0.6) };
+        let exposure = Exposure { stops: 0.0, lux: Some(4.0 * 1.2 * std::f32::consts::PI / 0.6) };
         let rgba = picture(&gpu, scene, &Frame { camera, exposure, ..frame });
         let at = 4 * (PIXELS * PIXELS / 2 + PIXELS / 2) as usize;
         [rgba[at], rgba[at + 1], rgba[at + 2]]

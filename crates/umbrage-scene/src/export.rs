@@ -31,7 +31,18 @@ pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
 }
 
 fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
-    let Scene { name, meshes, instances, materials, textures, cameras, lights, path, environment: _ } = scene;
+    let Scene {
+        name,
+        meshes,
+        instances,
+        materials,
+        textures,
+        cameras,
+        lights,
+        path,
+        exposed_for,
+        environment: _,
+    } = scene;
     let mut document = Document::new(Root {
         asset: Asset { generator: Some("umbrage".to_owned()), ..Asset::default() },
         ..Root::default()
@@ -72,7 +83,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         });
     }
     let nodes = nodes.into_iter().map(|node| document.root.push(node)).collect();
-    let extras = extras::of_path(path)?;
+    let extras = extras::of_scene(path, *exposed_for)?;
     let index = document.root.push(JsonScene { name: Some(name.clone()), nodes, extensions: None, extras });
     document.root.scene = Some(index);
     pack(document)

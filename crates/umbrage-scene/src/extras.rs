@@ -1,6 +1,7 @@
 //! What glTF has no words for: how instances and lights move, and the camera's path. They travel as `extras`, under one key:
 //!
 //! - of the scene: `{"umbrage": {"path": [[eye, target], …]}}`
+//! - of the scene, too: `{"umbrage": {"exposed_for": lux}}`
 //! - of the node of an instance or a light that rotates: `{"umbrage": {"turn": {"centre": …, "axis": …,
 //!   "radians_per_second": …}}}`
 //!
@@ -18,14 +19,26 @@ const KEY: &str = "umbrage";
 /// How far from unit length an axis may be.
 const UNIT_TOLERANCE: f32 = 1e-3;
 
-/// The extras of a scene with this path.
-pub(crate) fn of_path(path: &CameraPath) -> Result<Extras, Fault> {
-    if path.keys.is_empty() {
-        return Ok(None);
+/// The extras of a scene with this path and this illuminance to expose for.
+pub(crate) fn of_scene(path: &CameraPath, exposed_for: Option<f32>) -> Result<Extras, Fault> {
+    let mut members = Vec::new();
+    if !path.keys.is_empty() {
+        let keys = path.keys.iter();
+        let keys = keys.map(|PathKey { eye, target }| Ok(Value::from(vec![list(*eye)?, list(*target)?])));
+        members.push(("path", keys.collect::<Result<Vec<_>, Fault>>()?.into()));
     }
-    let keys =
-        path.keys.iter().map(|PathKey { eye, target }| Ok(Value::from(vec![list(*eye)?, list(*target)?])));
-    extras("path", keys.collect::<Result<Vec<_>, Fault>>()?.into())
+    if let Some(lux) = exposed_for {
+        members.push(("exposed_for", number(lux)?));
+    }
+    if members.is_empty() { Ok(None) } else { extras(members) }
+}
+
+/// The illuminance to expose for in the extras of a scene; `None` where there is none.
+pub(crate) fn exposed_for_of(extras: &Extras) -> Result<Option<f32>, Fault> {
+    let Some(lux) = value(extras, "exposed_for") else {
+        return Ok(None);
+    };
+    float(&lux).filter(|lux| *lux > 0.0).map(Some).ok_or_else(|| malformed("exposed_for"))
 }
 
 /// The extras of a node that moves so.
@@ -38,7 +51,7 @@ pub(crate) fn of_motion(motion: &Motion) -> Result<Extras, Fault> {
                 ("axis", list(axis)?),
                 ("radians_per_second", number(radians_per_second)?),
             ];
-            extras("turn", rotation.into_iter().collect())
+            extras(vec![("turn", rotation.into_iter().collect())])
         }
     }
 }
@@ -71,8 +84,8 @@ fn malformed(what: &str) -> Fault {
     Fault(format!("malformed extras {what:?} of {KEY:?}"))
 }
 
-fn extras(what: &str, content: Value) -> Result<Extras, Fault> {
-    let outer: Value = [(KEY, [(what, content)].into_iter().collect::<Value>())].into_iter().collect();
+fn extras(members: Vec<(&str, Value)>) -> Result<Extras, Fault> {
+    let outer: Value = [(KEY, members.into_iter().collect::<Value>())].into_iter().collect();
     let raw = RawValue::from_string(outer.to_string()).map_err(|why| Fault(why.to_string()))?;
     Ok(Some(raw))
 }
@@ -133,6 +146,10 @@ mod tests {
             let extras =
                 Some(RawValue::from_string(format!("{{\"umbrage\": {{\"turn\": {turn}}}}}")).unwrap());
             motion_of(&extras).unwrap_err();
+        }
+        for lux in ["0", "-1", "\"bright\"", "[3]", "1e99", "null"] {
+            let text = format!("{{\"umbrage\": {{\"exposed_for\": {lux}}}}}");
+            exposed_for_of(&Some(RawValue::from_string(text).unwrap())).unwrap_err();
         }
     }
 }

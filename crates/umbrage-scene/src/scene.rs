@@ -24,6 +24,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// A flight through the world, for measurements over time.
     pub path: CameraPath,
+    /// The illuminance that pictures of the world are to be exposed for, lux; `None` leaves it to whoever draws them.
+    pub exposed_for: Option<f32>,
     /// The picture of everything around the world; without one a plain sky is around it. No file of a scene has one.
     pub environment: Option<Environment>,
 }

@@ -4,9 +4,8 @@
 //! "far" (all of it), "close" (the edge of a shadow), "split" (along the ground, so that split planes cross visible
 //! shadows) and "dueling" (against the first light, the hardest case for warped shadow maps), and a flight path.
 //!
-//! Most have a sun of 3 lux. Some have spot or point lights instead, which may move. Their candela are chosen for the
-//! same eye: candela / distance² is 1 to 3 lux at the places that matter, where a renderer that shows a surface facing
-//! the sun at 2.6 shows candela / distance² as it is.
+//! Most have a sun of 3 lux. Some have spot or point lights instead, which may move. Their candela are chosen for the same
+//! eye: candela / distance² is 1 to 3 lux at the places that matter. How bright that looks is for whoever draws them to say.
 
 mod bias_court;
 mod brick_ground;

@@ -48,6 +48,7 @@ fn bits(scene: &Scene) -> Vec<String> {
         let movement = movement(motion);
         bits.push(format!("light {name:?} {} {colour} {kind:?} {movement}", matrix(world_from_light)));
     }
+    bits.push(format!("{:?}", scene.exposed_for.map(f32::to_bits)));
     bits.extend(scene.path.keys.iter().map(|key| vector(&key.eye) + &vector(&key.target)));
     bits
 }
@@ -193,6 +194,7 @@ fn scene() -> impl Strategy<Value = Scene> {
     let views = (vec(camera(), 1..3), vec(light(), 1..4), path);
     (meshes, vec(instance(), 1..6), colours, vec(picture, 0..3), views).prop_map(
         |(meshes, instances, colours, textures, (cameras, lights, path))| Scene {
+            exposed_for: (lights.len() > 1).then_some(0.1),
             name: "random".to_owned(),
             meshes,
             instances,

@@ -61,6 +61,7 @@ pub(super) fn read(
     scene.textures = surfaces.textures;
     place(&root, &places, &mut scene, warnings)?;
     scene.path = camera_path(&root, warnings);
+    scene.exposed_for = exposed_for(&root, warnings);
     note_ignored(&root, warnings);
     Ok(scene)
 }
@@ -178,6 +179,15 @@ fn camera_path(root: &Root, warnings: &mut Warnings) -> CameraPath {
     path.unwrap_or_else(|fault| {
         warnings.note("a camera path that cannot be understood is ignored", &fault.0);
         CameraPath::default()
+    })
+}
+
+/// The illuminance to expose for that [`crate::to_glb`] wrote, if there is one.
+fn exposed_for(root: &Root, warnings: &mut Warnings) -> Option<f32> {
+    let scene = root.scenes.get(root.scene.map_or(0, |scene| scene.value()))?;
+    extras::exposed_for_of(&scene.extras).unwrap_or_else(|fault| {
+        warnings.note("an exposure that cannot be understood is ignored", &fault.0);
+        None
     })
 }
 

@@ -10,6 +10,11 @@ use crate::{
     Texture,
 };
 
+/// What worlds are exposed for, lux. Their paints are darker than those of life, and are shown brighter for it: by day for
+/// less than half of the sun's 3 lux, and by lamps that give 1 to 3 lux for the lower end.
+const SUNNY: f32 = 1.385;
+const LAMPLIT: f32 = 1.2;
+
 /// How all cameras of a world see.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
@@ -34,12 +39,14 @@ impl Stage {
     pub fn new(name: &str, seed: u64, view: View, sun_along: Vec3) -> Self {
         let mut stage = Self::dark(name, seed, view);
         stage.scene.lights.push(Light::sun(sun_along, 3.0));
+        stage.scene.exposed_for = Some(SUNNY);
         stage
     }
 
     /// An empty world without a sun; lights are still to come.
     pub fn dark(name: &str, seed: u64, view: View) -> Self {
-        let scene = Scene { name: name.to_owned(), materials: Paint::materials(), ..Scene::default() };
+        let (name, materials) = (name.to_owned(), Paint::materials());
+        let scene = Scene { name, materials, exposed_for: Some(LAMPLIT), ..Scene::default() };
         Self { scene, dice: Dice::new(seed), view }
     }
 
