@@ -102,7 +102,7 @@ impl ConvexVolume {
     /// are those of its clip matrix.
     pub(crate) fn over_map(rows: [DVec4; 4]) -> Self {
         let [x, y, z, w] = rows;
-        let planes = [w + x, w - x, w + y, w - y, w - z].map(|row| {
+        let planes = [w + x, w - x, w + y, w - y, z].map(|row| {
             let length = row.truncate().length();
             PlaneF64 { normal: row.truncate() / length, distance: row.w / length }
         });

@@ -14,7 +14,7 @@ use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
 use crate::cull::ConvexVolume;
 use crate::error::PlanError;
-use crate::finite::{finite, finite_matrix, finite_vector};
+use crate::finite::{finite, finite_f64, finite_vector};
 use crate::fit::Fit;
 use crate::fit::outline::Outline;
 use crate::light::{FACES, Light, LightKind};
@@ -248,7 +248,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
     ShadowView {
         index,
         key: None,
-        clip_from_world: finite_matrix(projection.clip_from_world()),
+        clip_from_world: finite_f64(projection.clip_from_world()),
         casters,
         light,
         split,
@@ -257,7 +257,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
         depth_metres: finite(projection.depths.end - projection.depths.start),
         near_metres: finite(projection.depths.start),
         rays: projection.space.rays(),
-        inverse_weight: finite_vector(projection.inverse_weight()),
+        depth_scale: finite_vector(projection.depth_scale()),
         tile,
         unclipped_depth,
     }

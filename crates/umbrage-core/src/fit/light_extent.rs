@@ -77,7 +77,7 @@ mod tests {
                 depths: 0.1..25.0,
             };
             let ndc = projection.clip_from_world().project_point3(apex.as_dvec3() + offset);
-            assert!((ndc.z - depth).abs() < 1e-9, "{offset}: {}, not {depth}", ndc.z);
+            assert!((1.0 - ndc.z - depth).abs() < 1e-9, "{offset}: {}, not {depth}", ndc.z);
             assert!(ndc.truncate().abs().max_element() < 1.0, "{offset} is not on face {face}: {ndc}");
         }
     }

@@ -62,8 +62,8 @@ impl Reader<'_> {
     pub fn lit(&self, corner: Vec2) -> f32 {
         let inside = corner.clamp(Vec2::ZERO, Vec2::splat((self.side() - 1) as f32));
         let Place { texel, compare_depth, gradient, .. } = self.place;
-        let compared = (compare_depth + gradient.dot(inside + 0.5 - texel)).min(1.0);
-        f32::from(u8::from(compared <= self.stored(inside)))
+        let compared = (compare_depth + gradient.dot(inside + 0.5 - texel)).max(0.0);
+        f32::from(u8::from(compared >= self.stored(inside)))
     }
 
     fn stored(&self, corner: Vec2) -> f32 {

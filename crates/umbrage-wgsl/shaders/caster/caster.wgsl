@@ -13,8 +13,9 @@ const UMBRAGE_SUB_TEXELS: f32 = 256.0;
 /// `fit = "stable"` the translation is a whole number of texels, so for resolutions that are powers of two the sum is
 /// exact, and what was rounded does not depend on where the camera is: edges stay where they are, to the last bit.
 fn umbrage_caster_position(world_position: vec3f) -> vec4f {
-    let m = umbrage_frame.views[umbrage_current_view.x].clip_from_world;
-    let turned = m[0] * world_position.x + m[1] * world_position.y + m[2] * world_position.z;
+    let m = umbrage_frame.views[umbrage_current_view.x].clip_from_local;
+    let local = world_position - umbrage_frame.views[umbrage_current_view.x].local_origin;
+    let turned = m[0] * local.x + m[1] * local.y + m[2] * local.z;
     let clip = turned + m[3];
     let grid = 0.5 * UMBRAGE_SUB_TEXELS * umbrage_frame.views[umbrage_current_view.x].tile_size;
     let w_row = vec3f(m[0].w, m[1].w, m[2].w);

@@ -10,7 +10,7 @@ fn peel(@builtin(position) position: vec4f) {
     let layer = umbrage_frame.views[umbrage_current_view.x].layer;
     let first = textureLoad(umbrage_first, vec2i(position.xy), layer, 0);
     // The same surface, drawn again, may round otherwise.
-    if position.z <= first + 2.0 * umbrage_frame.depth_step {
+    if position.z >= first - 2.0 * umbrage_frame.depth_step {
         discard;
     }
 }

@@ -19,8 +19,8 @@ fn umbrage_finest(light: u32, start: u32, world_position: vec3f, world_normal: v
         let tile_size = umbrage_tile_size(i);
         let low = vec2f(UMBRAGE_FILTER_REACH);
         let inside = all(lookup.texel >= low) && all(lookup.texel <= vec2f(tile_size) - low);
-        let nearest = lookup.compare_depth - dot(abs(lookup.gradient), vec2f(UMBRAGE_PLANE_REACH));
-        if inside && nearest >= 0.0 && lookup.compare_depth <= 1.0 {
+        let nearest = lookup.compare_depth + dot(abs(lookup.gradient), vec2f(UMBRAGE_PLANE_REACH));
+        if inside && nearest <= 1.0 && lookup.compare_depth >= 0.0 {
             return i;
         }
     }

@@ -4,9 +4,9 @@ import package::receiver::lookup::UmbrageLookup;
 import package::storage::map::{umbrage_inside, umbrage_lit_share};
 
 /// The depth to compare with at a place of the tile, given in texels: that of the lookup's plane there. Nothing that is
-/// stored lies beyond 1.
+/// stored lies beyond 0.
 fn umbrage_compare_depth(lookup: UmbrageLookup, texel: vec2f) -> f32 {
-    return min(lookup.compare_depth + dot(lookup.gradient, texel - lookup.texel), 1.0);
+    return max(lookup.compare_depth + dot(lookup.gradient, texel - lookup.texel), 0.0);
 }
 
 /// Whether the texel around `centre` leaves a receiver lit: 1 or 0. It is compared with the depth at its centre.
