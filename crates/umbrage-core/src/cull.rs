@@ -80,7 +80,7 @@ impl ConvexVolume {
             return Self::empty();
         }
         let size = receivers.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-        let same = MARGIN * size.max(1.0);
+        let same = MARGIN * size;
         let margin = same + reach;
         let mut volume = Self::default();
         for plane in receivers.planes().filter(|plane| plane.normal.dot(light.axis) < -1e-6) {
@@ -107,7 +107,7 @@ impl ConvexVolume {
             PlaneF64 { normal: row.truncate() / length, distance: row.w / length }
         });
         let usable = || planes.iter().filter(|plane| plane.normal.is_finite() && plane.distance.is_finite());
-        let size = usable().map(|plane| plane.distance.abs()).fold(1.0, f64::max);
+        let size = usable().map(|plane| plane.distance.abs()).fold(0.0, f64::max);
         let mut volume = Self::default();
         usable().for_each(|plane| volume.add(plane.widened(MARGIN * size)));
         volume

@@ -14,9 +14,6 @@ use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use crate::homography::Homography;
 use crate::space::LightSpace;
 
-/// Maps are at least this large and this deep, so that no matrix is singular, metres.
-pub(crate) const MIN_SIZE: f64 = 1e-3;
-
 /// How a map is projected.
 pub(crate) struct LightProjection {
     /// The light's axes, rotated as the homography says.

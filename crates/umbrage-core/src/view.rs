@@ -7,6 +7,7 @@ use glam::{DMat4, DVec3, Mat4, Vec2, Vec3, Vec4};
 use crate::allocation::Tile;
 use crate::cull::ConvexVolume;
 use crate::finite::{finite_matrix, finite_vector};
+use crate::settings::DepthFormat;
 use crate::space::Rays;
 
 /// One shadow map, or one tile of an atlas. Everything after planning only ever sees these.
@@ -90,6 +91,17 @@ impl ShadowView {
     /// Returns the clip position of a point of the world, in f32, as shaders find it.
     pub fn clip(&self, point: Vec3) -> Vec4 {
         self.clip_from_local(DVec3::ZERO) * (point - self.local_origin(DVec3::ZERO)).extend(1.0)
+    }
+
+    /// Returns how much rounding may make of a stored depth and of the one that it is compared with, in maps of a format.
+    ///
+    /// Mirrors `umbrage_depth_rounding` of the shaders.
+    pub(crate) fn depth_rounding(&self, format: DepthFormat, stored: f32) -> f32 {
+        let rounded = match self.rays {
+            Rays::Parallel => 1.0 + self.clip_from_local(DVec3::ZERO).w_axis.z.abs(),
+            Rays::FromApex { .. } => stored.abs(),
+        };
+        format.step() + format.rounding() * rounded
     }
 
     /// Whether the map covers `point`, give or take `slack` in clip units; what lies before the near plane counts as

@@ -66,8 +66,9 @@ struct UmbrageFrame {
     bias_normal: f32,
     /// Cosine of the angle between normal and light up to which light fades in.
     terminator: f32,
-    /// How much a stored depth may differ from the one that was drawn.
+    /// How much the maps' format rounds a stored depth: an absolute step, and a share of what is rounded.
     depth_step: f32,
+    depth_rounding: f32,
     /// How far behind the first surface the stored depth may lie at most, where two surfaces are drawn, metres.
     depth_layer_limit: f32,
     /// The share of a slice's depth, or of a map's half width, over which views blend into each other.

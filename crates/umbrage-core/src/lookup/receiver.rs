@@ -101,7 +101,7 @@ impl<'a> Receiver<'a> {
                 + texel_basis.rise(to_light) * bias.toward_light
                 + texel_basis.slope(normal, to_light, settings.filter.steepest_plane()).abs().element_sum()
                     * RASTER_STEP_TEXELS
-                + settings.depth.step(),
+                + view.depth_rounding(settings.depth, ndc.z),
             gradient: settings.reference_gradient(&texel_basis, normal, to_light),
             texel_metres: Vec2::new(texel_basis.right.length(), texel_basis.down.length()),
         }

@@ -3,7 +3,7 @@
 import constants::UMBRAGE_RASTER_STEP;
 import chosen::{umbrage_gradient, umbrage_normal_offset, umbrage_offset_reach};
 import package::frame::umbrage_frame;
-import package::light::umbrage_direction_to_light;
+import package::light::{umbrage_depth_rounding, umbrage_direction_to_light};
 import package::receiver::texel_basis::{umbrage_slope, umbrage_texel_basis};
 import package::storage::map::{umbrage_clip_from_local, umbrage_local, umbrage_tile_size};
 
@@ -56,13 +56,14 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let nearer = dot(texel_basis.depth_gradient, to_light) * toward_light;
     // Rasterisers round corners, so what is stored may be the depth of a place beside.
     let slope = umbrage_slope(texel_basis, world_normal, cosine);
-    let rounded = dot(abs(slope), vec2f(UMBRAGE_RASTER_STEP)) + umbrage_frame.depth_step;
+    let depth = clip.z / clip.w;
+    let rounded = dot(abs(slope), vec2f(UMBRAGE_RASTER_STEP)) + umbrage_depth_rounding(view_index, depth);
     var lookup: UmbrageLookup;
     lookup.view_index = view_index;
     lookup.light = light;
     lookup.texel_metres = vec2f(length(texel_basis.right), length(texel_basis.down));
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
-    lookup.compare_depth = clip.z / clip.w + nearer + rounded;
+    lookup.compare_depth = depth + nearer + rounded;
     lookup.gradient = umbrage_gradient(texel_basis, world_normal, to_light);
     return lookup;
 }
