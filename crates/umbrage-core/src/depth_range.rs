@@ -46,7 +46,9 @@ impl DepthRange {
 /// How far a map must begin and end from its receivers, metres: casters that are flattened onto the near plane must stay
 /// before every receiver, whatever its bias.
 pub(crate) fn margin(input: &ViewInput<'_>, texel_metres: f64, receivers: &Range<f64>) -> f64 {
-    input.reach.toward_light_metres(texel_metres) + input.min_size() + 1e-3 * (receivers.end - receivers.start)
+    input.reach.toward_light_metres(texel_metres)
+        + input.min_size()
+        + 1e-3 * (receivers.end - receivers.start)
 }
 
 /// Where the world begins and ends along the light's axis.

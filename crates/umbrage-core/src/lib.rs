@@ -57,7 +57,7 @@ pub use aliasing::{
     perspective_error, perspective_texel_extent, storage_factor, texel_extent,
 };
 pub use allocation::{Allocation, MapLayout, Tile};
-pub use bias::{BiasMetres, CompareDepth, RASTER_STEP_TEXELS};
+pub use bias::{BiasMetres, CompareDepth, RASTER_STEP_TEXELS, STEEPEST_PLANE};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
 pub use change::{CasterKey, Change, MapsKey, ReceiverKey};

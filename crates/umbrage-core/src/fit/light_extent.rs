@@ -29,8 +29,7 @@ pub(super) fn region<'a>(
     let space = input.light_frustum.space(DVec3::Y);
     let side = DVec2::splat(pyramid.half_side);
     // A face is padded already.
-    let (min, max) =
-        if pyramid.is_face { (-side, side) } else { padded(input, &space, -side, side) };
+    let (min, max) = if pyramid.is_face { (-side, side) } else { padded(input, &space, -side, side) };
     let texel_metres = texel_sides(min, max, input.resolution).max_element() * pyramid.reach;
     let of_light = || pyramid.min_near..pyramid.reach + margin(input, texel_metres, &(0.0..pyramid.reach));
     let depths = match depths {

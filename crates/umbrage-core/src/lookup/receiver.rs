@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::place::Place;
-use crate::bias::RASTER_STEP_TEXELS;
+use crate::bias::{RASTER_STEP_TEXELS, STEEPEST_PLANE};
 use crate::light::LightKind;
 use crate::plan::ShadowPlan;
 use crate::settings::{Select, Settings};
@@ -78,9 +78,7 @@ impl<'a> Receiver<'a> {
         let low = Vec2::splat(self.settings.filter.reach_texels());
         let high = Vec2::splat(view.tile.size as f32) - low;
         let inside = place.texel.cmpge(low).all() && place.texel.cmple(high).all();
-        let plane = self.settings.filter.plane_reach_texels();
-        let nearest = place.compare_depth + place.gradient.abs().element_sum() * plane;
-        inside && nearest <= 1.0 && place.compare_depth >= 0.0
+        inside && (0.0..=1.0).contains(&place.compare_depth)
     }
 
     /// Where it lies in a view's tile; outside of it where the view's light does not reach it.
@@ -99,7 +97,7 @@ impl<'a> Receiver<'a> {
             texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
             compare_depth: ndc.z
                 + texel_basis.rise(to_light) * bias.toward_light
-                + texel_basis.slope(normal, to_light, settings.filter.steepest_plane()).abs().element_sum()
+                + texel_basis.slope(normal, to_light, STEEPEST_PLANE).abs().element_sum()
                     * RASTER_STEP_TEXELS
                 + view.depth_rounding(settings.depth, ndc.z),
             gradient: settings.reference_gradient(&texel_basis, normal, to_light),
