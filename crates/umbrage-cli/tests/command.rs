@@ -70,13 +70,13 @@ fn plan_json_tells_a_foreign_renderer_everything() {
     );
     let maps = &plan["maps"];
     assert_eq!((&maps["layers"], &maps["format"]), (&1.into(), &"depth32float".into()));
-    assert_eq!(maps["compare_sampler"]["compare"], "less-equal");
+    assert_eq!(maps["compare_sampler"]["compare"], "greater-equal");
     assert_eq!(plan["casters"]["cull_mode"], "none");
     for view in plan["views"].as_array().expect("views") {
         let tile = ["layer", "x", "y", "size"].map(|key| view["tile"][key].as_u64().expect("whole"));
         assert!(tile[1] + tile[3] <= maps["width"].as_u64().expect("whole"), "{tile:?}");
         assert!(view["spreads"] == true && view["near_metres"].as_f64() > Some(0.0), "{view}");
-        assert_eq!(view["inverse_weight"].as_array().map(Vec::len), Some(3));
+        assert_eq!(view["depth_scale"].as_array().map(Vec::len), Some(3));
         let planes = view["casters"].as_array().expect("planes");
         assert!(planes.iter().all(|plane| plane.as_array().is_some_and(|p| p.len() == 4)), "{view}");
     }
@@ -356,5 +356,61 @@ fn lights_of_some_size_have_softer_shadows_and_wrong_sizes_are_refused() {
     ] {
         let args = ["render", "primitives", "--visibility", text(&unwritten)];
         refused(&[&args[..], more].concat(), 2, named, Some(&unwritten));
+    }
+}
+
+/// The mean of a picture's bytes.
+fn brightness(path: &Path) -> f64 {
+    let picture = image::open(path).expect("a picture").into_rgb8();
+    picture.iter().map(|level| f64::from(*level)).sum::<f64>() / picture.len() as f64
+}
+
+#[test]
+fn exposure_haze_and_surroundings_change_the_picture_and_not_its_visibility() {
+    let folder = folder();
+    let file = |name: &str| folder.path().join(name);
+    let sky = file("sky.png");
+    image::RgbImage::from_pixel(8, 4, image::Rgb([0, 0, 255])).save(&sky).expect("a picture");
+    let draw = |name: &str, more: &[&str]| {
+        let (picture, visibility) = (file(&format!("{name}.png")), file(&format!("{name}-v.png")));
+        let mut args = vec!["render", "primitives", "--size", "80x45", "-o", text(&picture)];
+        args.extend(["--visibility", text(&visibility)]);
+        args.extend(more);
+        stdout(&args);
+        (brightness(&picture), std::fs::read(&visibility).expect("a picture"))
+    };
+    let (plain, visibility) = draw("plain", &[]);
+    let cases: [(&str, &[&str], fn(f64, f64) -> bool); 6] = [
+        ("brighter", &["--exposure", "1"], |plain, other| other > plain + 10.0),
+        ("darker", &["--exposure", "-2"], |plain, other| other < plain - 30.0),
+        ("white", &["--exposure", "100"], |_, other| other > 254.0),
+        ("black", &["--exposure", "-100"], |_, other| other == 0.0),
+        ("noon", &["--exposed-for", "100000"], |_, other| other < 5.0),
+        ("around", &["--environment", text(&sky), "--no-haze"], |plain, other| (plain - other).abs() > 1.0),
+    ];
+    for (name, more, is_right) in cases {
+        let (other, same) = draw(name, more);
+        assert!(is_right(plain, other), "{name}: {plain} and {other}");
+        assert!(same == visibility, "{name}: visibility stays");
+    }
+}
+
+#[test]
+fn exposures_and_surroundings_that_cannot_be_are_refused_in_a_line() {
+    let folder = folder();
+    let picture = folder.path().join("a.png");
+    let no_picture = folder.path().join("b.hdr");
+    std::fs::write(&no_picture, "#?RADIANCE").expect("a file");
+    let base = ["render", "primitives", "-o", text(&picture)];
+    let wrong: [(&str, &str, &str); 6] = [
+        ("--exposure", "101", "-100 to 100"),
+        ("--exposure", "nan", "-100 to 100"),
+        ("--exposure", "bright", "-100 to 100"),
+        ("--exposed-for", "0", "1e-6 to 1e9"),
+        ("--environment", "nowhere.hdr", "nowhere.hdr"),
+        ("--environment", text(&no_picture), "b.hdr"),
+    ];
+    for (flag, value, named) in wrong {
+        refused(&[base.as_slice(), &[flag, value]].concat(), 2, named, Some(&picture));
     }
 }

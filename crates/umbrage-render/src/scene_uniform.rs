@@ -1,7 +1,7 @@
 //! What all passes over the scene read, as group 0: `shaders/scene.wgsl`.
 
 use encase::{ShaderType, StorageBuffer, UniformBuffer};
-use glam::{Mat4, UVec2, Vec3, Vec4};
+use glam::{DVec3, Mat4, UVec2, Vec3, Vec4};
 use umbrage::{Camera, LightKind, MAX_LIGHTS};
 
 use crate::buffers::{READ, binding, filled};
@@ -72,6 +72,8 @@ const PICTURE_BYTES: usize = 160;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
     pub camera: &'a Camera,
+    /// What positions on the device are relative to, in world space.
+    pub origin: DVec3,
     pub lights: &'a [FrameLight],
     /// The width and height of the picture, pixels.
     pub size: [u32; 2],
@@ -127,7 +129,14 @@ impl SceneUniform {
     pub fn upload(&mut self, gpu: &Gpu, view: &View<'_>) -> Result<(), RenderError> {
         let mut buffer = UniformBuffer::new(std::mem::take(&mut self.bytes));
         buffer
-            .write(&gpu_scene(view.camera, view.lights, view.size, view.shown_light, view.exposed))
+            .write(&gpu_scene(
+                view.camera,
+                view.origin,
+                view.lights,
+                view.size,
+                view.shown_light,
+                view.exposed,
+            ))
             .map_err(|e| RenderError::Device(e.to_string()))?;
         self.bytes = buffer.into_inner();
         gpu.queue.write_buffer(&self.buffer, 0, &self.bytes);
@@ -140,15 +149,17 @@ impl SceneUniform {
 
 fn gpu_scene(
     camera: &Camera,
+    origin: DVec3,
     of: &[FrameLight],
     size: [u32; 2],
     shown_light: usize,
     exposed: Exposed,
 ) -> GpuScene {
+    let camera = camera.relative_to(origin);
     let clip_from_world = camera.clip_from_world();
     let mut lights = [GpuLight::default(); MAX_LIGHTS];
     for (slot, light) in lights.iter_mut().zip(of) {
-        *slot = gpu_light(light, exposed.factor);
+        *slot = gpu_light(light, origin, exposed.factor);
     }
     let sun = brightest_sun(of);
     let sunlight = sun.map_or(Vec3::ZERO, |sun| white_in(sun.colour, exposed.factor));
@@ -178,9 +189,9 @@ fn gpu_picture(view: &View<'_>) -> GpuPicture {
 
 /// The sun that makes the day: the first of the brightest; none where none shines.
 fn brightest_sun(lights: &[FrameLight]) -> Option<&FrameLight> {
+    let strength = |light: &FrameLight| light.colour.max_element();
     let suns = lights.iter().filter(|light| matches!(light.light.kind(), LightKind::Directional { .. }));
-    let brightest = |a: &&FrameLight, b: &&FrameLight| b.colour.max_element() > a.colour.max_element();
-    suns.filter(|sun| sun.colour.max_element() > 0.0).reduce(|a, b| if brightest(&a, &b) { b } else { a })
+    suns.filter(|sun| strength(sun) > 0.0).reduce(|a, b| if strength(b) > strength(a) { b } else { a })
 }
 
 /// What a white surface sends back that faces so much light, lux, exposed.
@@ -188,7 +199,8 @@ fn white_in(lux: Vec3, factor: f32) -> Vec3 {
     (lux * factor * std::f32::consts::FRAC_1_PI).clamp(Vec3::ZERO, Vec3::splat(BRIGHTEST))
 }
 
-fn gpu_light(light: &FrameLight, factor: f32) -> GpuLight {
+fn gpu_light(light: &FrameLight, origin: DVec3, factor: f32) -> GpuLight {
+    let place = |position: Vec3| (position.as_dvec3() - origin).as_vec3().extend(1.0);
     let FrameLight { light, colour, cone: [inner, outer] } = *light;
     let colour = white_in(colour, factor);
     let everywhere = GpuLight { colour, cone_scale: 0.0, cone_offset: 1.0, ..GpuLight::default() };
@@ -197,7 +209,7 @@ fn gpu_light(light: &FrameLight, factor: f32) -> GpuLight {
             // As KHR_lights_punctual has it.
             let cone_scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);
             GpuLight {
-                place: position.extend(1.0),
+                place: place(position),
                 axis: direction,
                 range,
                 cone_scale,
@@ -205,7 +217,7 @@ fn gpu_light(light: &FrameLight, factor: f32) -> GpuLight {
                 ..everywhere
             }
         }
-        LightKind::Point { position, range } => GpuLight { place: position.extend(1.0), range, ..everywhere },
+        LightKind::Point { position, range } => GpuLight { place: place(position), range, ..everywhere },
         LightKind::Directional { direction } => GpuLight { place: (-direction).extend(0.0), ..everywhere },
     }
 }
@@ -242,6 +254,6 @@ mod tests {
         let projection = umbrage::Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
         let camera = Camera::new(Mat4::IDENTITY, projection, 0.1, 10.0).unwrap();
         let exposed = Exposed { metered: 1.0, factor: 1.0 };
-        gpu_scene(&camera, &[], [1, 1], 0, exposed)
+        gpu_scene(&camera, DVec3::ZERO, &[], [1, 1], 0, exposed)
     }
 }

@@ -124,7 +124,7 @@ impl Shading {
         show: &Show,
         target: &Target,
     ) -> Result<(), RenderError> {
-        let Planned { camera, lights, size, numbers, exposure, haze, .. } = planned;
+        let Planned { camera, origin, lights, size, numbers, exposure, haze, .. } = planned;
         let shown_light = if let Show::Visibility(light) = show { *light } else { 0 };
         // Visibility is not exposed.
         let metered = match target.shape.encoding {
@@ -134,7 +134,8 @@ impl Shading {
         let exposed = Exposed { metered, factor: exposure.factor(metered) };
         let haze = if *haze { scene.surroundings.haze } else { 0.0 };
         let environment = &scene.surroundings.environment;
-        let view = View { camera, lights, size: *size, shown_light, exposed, haze, environment };
+        let view =
+            View { camera, origin: *origin, lights, size: *size, shown_light, exposed, haze, environment };
         self.uniform.upload(gpu, &view)?;
         if let (Show::Given(visibility), Some(given)) = (show, &mut self.given) {
             given.upload(gpu, visibility)?;
@@ -146,7 +147,7 @@ impl Shading {
             None | Some(Visibility::Unused | Visibility::Full | Visibility::Maps) => None,
             Some(Visibility::Given) => self.given.as_ref().map(|given| &given.group),
             Some(Visibility::MapsAndContact) => self.prepass.as_ref().map(|prepass| {
-                prepass.upload(gpu, camera);
+                prepass.upload(gpu, &camera.relative_to(*origin));
                 timer.pass(SHADE, encoder, |encoder, timestamps| {
                     prepass.record(encoder, timestamps, &self.uniform, scene, &numbers.buffer, draws);
                 });

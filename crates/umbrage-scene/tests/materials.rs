@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Doc, floats};
+use common::{Doc, floats, png, shorts};
 use glam::{Affine2, Vec2, Vec3, Vec4};
 use umbrage_scene::{Imported, Map, Maps, Material, load, load_glb_bytes, to_glb};
 
@@ -15,20 +15,14 @@ fn with(material: &str) -> Doc {
     }
     doc.primitives =
         r#"{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "TEXCOORD_1": 2}, "material": 0}"#.to_owned();
-    let views: Vec<usize> = [[1, 2, 3], [200, 100, 50]].iter().map(|rgb| doc.view(&png(*rgb), "")).collect();
+    let views: Vec<usize> =
+        [[1, 2, 3, 255], [200, 100, 50, 255]].iter().map(|rgba| doc.view(&png(1, 1, *rgba), "")).collect();
     doc.rest = format!(
         r#", "images": [{{"bufferView": {}}}, {{"bufferView": {}}}], "materials": [{{{material}}}],
         "textures": [{{"source": 0}}, {{"source": 0}}, {{"source": 1}}]"#,
         views[0], views[1]
     );
     doc
-}
-
-fn png(rgb: [u8; 3]) -> Vec<u8> {
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    let picture = image::RgbImage::from_pixel(1, 1, image::Rgb(rgb));
-    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    bytes.into_inner()
 }
 
 fn read(material: &str) -> (Material, Vec<String>) {
@@ -169,6 +163,11 @@ fn colours_of_vertices_may_be_floats_or_integers_with_alpha_or_without() {
     let rgba = [255, 0, 0, 255, 0, 51, 0, 255, 0, 0, 255, 0];
     let want = [Vec4::new(1.0, 0.0, 0.0, 1.0), Vec4::new(0.0, 0.2, 0.0, 1.0), Vec4::new(0.0, 0.0, 1.0, 0.0)];
     assert_eq!(colours(&coloured("VEC4", 5121, true, &rgba)), want, "bytes");
+    let rgb = shorts(&[65535, 0, 0, 0, 0, 13107, 0, 0, 0, 0, 65535, 0]);
+    let mut padded = coloured("VEC3", 5123, true, &rgb);
+    padded.views[1] = padded.views[1].replace('}', r#", "byteStride": 8}"#);
+    let want = [Vec4::new(1.0, 0.0, 0.0, 1.0), Vec4::new(0.0, 0.2, 0.0, 1.0), Vec4::new(0.0, 0.0, 1.0, 1.0)];
+    assert_eq!(colours(&padded), want, "shorts");
     let none = floats(&[f32::NAN, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0]);
     let Imported { scene, warnings } = coloured("VEC3", 5126, false, &none).load().unwrap();
     assert_eq!(scene.meshes[0].colours[0], Vec4::ONE);

@@ -8,6 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use umbrage::schema::{self, Values};
 use umbrage::{Contact, Filter, Settings, Shade, Warp};
+use umbrage_render::Exposure;
 use umbrage_viewer::load::Source;
 use umbrage_viewer::panels::settings::{self as settings_panel, Refused};
 use umbrage_viewer::view_state::PathPosition;
@@ -143,6 +144,9 @@ fn every_widget_of_the_whole_window_has_a_name() {
         "Export",
         "Keys",
         "time of day",
+        "exposure",
+        "automatic exposure",
+        "haze",
         "show errors",
         "the picture",
         "along the path",
@@ -169,4 +173,19 @@ fn a_flight_along_the_path_is_held_and_goes_on() {
     harness.get_by_label("hold").click();
     harness.run_steps(6);
     assert!(eye(&mut harness).distance(held) > 1e-3, "it goes on");
+}
+
+#[test]
+fn exposure_stays_where_it_is_put_and_starts_from_what_the_world_asks_for() {
+    let mut harness = whole("primitives");
+    let view = |harness: &mut Harness<'_, Viewer>| harness.state_mut().view().expect("a world").clone();
+    assert_eq!((view(&mut harness).exposure, view(&mut harness).haze), (Exposure::default(), true));
+    harness.get_by_label("automatic exposure").click();
+    harness.get_by_label("haze").click();
+    harness.run_steps(4);
+    let lux = view(&mut harness).exposure.lux.expect("it is held");
+    assert!((lux - 1.385).abs() < 1e-3 && !view(&mut harness).haze, "the world's own: {lux}");
+    harness.get_by_label("automatic exposure").click();
+    harness.run_steps(4);
+    assert_eq!(view(&mut harness).exposure.lux, None);
 }
