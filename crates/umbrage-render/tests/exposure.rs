@@ -156,7 +156,7 @@ fn a_sun_that_is_off_gives_no_light_and_makes_no_day() {
     let gpu = gpu();
     let lamp = Light::point("lamp", Vec3::new(0.0, 3.0, 0.0), f32::INFINITY, 30.0);
     let off = Light::sun(Vec3::new(0.3, -1.0, 0.2), 0.0);
-    let alone = picture(&gpu, &white(), &seen(&[lamp.clone()]));
+    let alone = picture(&gpu, &white(), &seen(std::slice::from_ref(&lamp)));
     assert!(picture(&gpu, &white(), &seen(&[off.clone(), lamp.clone()])) == alone, "before a lamp");
     assert!(picture(&gpu, &white(), &seen(&[lamp, off])) == alone, "after a lamp");
 }
@@ -166,7 +166,7 @@ fn a_fill_a_thousand_times_as_weak_as_the_key_is_not_seen() {
     let gpu = gpu();
     let key = Light::sun(Vec3::new(-0.5, -1.0, 0.2), 100_000.0);
     let fill = Light::sun(Vec3::new(0.5, -1.0, 0.2), 100.0);
-    let alone = picture(&gpu, &white(), &seen(&[key.clone()]));
+    let alone = picture(&gpu, &white(), &seen(std::slice::from_ref(&key)));
     for both in [[key.clone(), fill.clone()], [fill, key]] {
         let both = picture(&gpu, &white(), &seen(&both));
         let most = alone.iter().zip(&both).map(|(a, b)| a.abs_diff(*b)).max();

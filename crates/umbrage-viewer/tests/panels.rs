@@ -181,6 +181,7 @@ fn exposure_stays_where_it_is_put_and_starts_from_what_the_world_asks_for() {
     let view = |harness: &mut Harness<'_, Viewer>| harness.state_mut().view().expect("a world").clone();
     assert_eq!((view(&mut harness).exposure, view(&mut harness).haze), (Exposure::default(), true));
     harness.get_by_label("automatic exposure").click();
+    harness.run_steps(4);
     harness.get_by_label("haze").click();
     harness.run_steps(4);
     let lux = view(&mut harness).exposure.lux.expect("it is held");
