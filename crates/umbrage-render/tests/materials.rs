@@ -98,8 +98,8 @@ fn pictures_of_roughness_metal_occlusion_and_emission_are_factors() {
     let maps = Maps { metallic_roughness: Some(PICTURE), ..Maps::default() };
     let pairs = [
         (
-            with_picture([9, 128, 128], Material { maps: maps.clone(), ..rough.clone() }),
-            of(Material { metallic: half, roughness: 0.8 * half, ..rough.clone() }),
+            with_picture([9, 128, 128], Material { maps, ..rough.clone() }),
+            of(Material { metallic: half, roughness: 0.8 * half, ..rough }),
         ),
         (
             with_picture(
