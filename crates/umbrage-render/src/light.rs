@@ -15,6 +15,8 @@ pub struct FrameLight {
     pub colour: Vec3,
     /// The angles from a spot's axis at which its light begins to fade, and ends, radians; 0 of other lights.
     pub cone: [f32; 2],
+    /// The distance from a spot or point light nearer than which nothing casts a shadow, metres; 0 where anything does.
+    pub near: f32,
 }
 
 impl FrameLight {
@@ -37,7 +39,9 @@ impl FrameLight {
             LightKind::Directional => SUN_LIGHT,
             LightKind::Spot { .. } | LightKind::Point { .. } => light.intensity,
         };
-        Ok(Self { light: shadows, colour: light.colour * strength, cone })
+        // NaN is no distance.
+        let near = light.near.max(0.0);
+        Ok(Self { light: shadows, colour: light.colour * strength, cone, near })
     }
 }
 

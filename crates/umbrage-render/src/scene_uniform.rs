@@ -105,7 +105,7 @@ fn gpu_scene(view: &View<'_>) -> GpuScene {
 }
 
 fn gpu_light(light: &FrameLight) -> GpuLight {
-    let FrameLight { light, colour, cone: [inner, outer] } = *light;
+    let FrameLight { light, colour, cone: [inner, outer], near: _ } = *light;
     let everywhere = GpuLight { colour, cone_scale: 0.0, cone_offset: 1.0, ..GpuLight::default() };
     match light.kind() {
         LightKind::Spot { position, direction, range, .. } => {
