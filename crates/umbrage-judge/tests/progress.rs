@@ -36,7 +36,7 @@ fn eye(width: u32, height: u32) -> Eye {
 }
 
 fn lights() -> Vec<Light> {
-    let point = Light::Point { position: DVec3::new(3.0, 5.0, 2.0), range: 12.0 };
+    let point = Light::Point { position: DVec3::new(3.0, 5.0, 2.0), range: 12.0, near: 0.0 };
     vec![Light::sun(Vec3::new(1.0, -2.0, -0.5)), point]
 }
 
