@@ -54,7 +54,23 @@ pub enum Pixel {
 impl Pixel {
     /// Whether results are judged at this pixel: it is lit or shadowed for sure.
     pub fn is_judged(self) -> bool {
-        matches!(self, Self::Lit | Self::Shadowed)
+        self.visibility().is_some()
+    }
+
+    /// Returns the true visibility: 1 where lit, 0 where shadowed; `None` where results are not judged.
+    pub fn visibility(self) -> Option<f32> {
+        match self {
+            Self::Lit => Some(1.0),
+            Self::Shadowed => Some(0.0),
+            Self::Sky | Self::Unreached | Self::TurnedAway | Self::Beyond | Self::Ambiguous => None,
+        }
+    }
+
+    /// Returns how far a visibility, 0 to 1, is from the true one; `None` where results are not judged. Its mean over all
+    /// judged pixels is the mean absolute error: it sees what [`Verdict`](crate::Verdict) does not, a shade that stays on
+    /// the right side of one half.
+    pub fn miss(self, visibility: f32) -> Option<f64> {
+        self.visibility().map(|truth| (f64::from(visibility) - f64::from(truth)).abs())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use umbrage::Settings;
 use umbrage_render::{Frame, MapLook, Mark, RenderError, Show};
-use umbrage_scene::{Camera, Light, LightKind, Scene};
+use umbrage_scene::{Camera, Light, LightKind, Scene, Shining};
 
 use crate::flight::Flight;
 use crate::lines::PlanLines;
@@ -130,9 +130,14 @@ impl ViewState {
         &self.settings[self.edited]
     }
 
-    /// Returns the world's lights, at most [`umbrage::MAX_LIGHTS`], with the sun where the chosen hour puts it.
+    /// Returns which of the world's lights shine, at most [`umbrage::MAX_LIGHTS`], and what is to be said about the others.
+    pub fn shining(&self, scene: &Scene) -> Shining {
+        Shining::choose(&scene.lights, &self.camera(), self.seconds, umbrage::MAX_LIGHTS)
+    }
+
+    /// Returns the lights that shine, with the sun where the chosen hour puts it.
     pub fn lights(&self, scene: &Scene) -> Vec<Light> {
-        let mut lights: Vec<Light> = scene.lights.iter().take(umbrage::MAX_LIGHTS).cloned().collect();
+        let mut lights = self.shining(scene).lights;
         if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(|light| is_sun(light))) {
             sun.world_from_light = Light::sun(sky::sunlight(hour), 1.0).world_from_light;
         }
