@@ -15,8 +15,6 @@ pub struct FrameLight {
     pub colour: Vec3,
     /// The angles from a spot's axis at which its light begins to fade, and ends, radians; 0 of other lights.
     pub cone: [f32; 2],
-    /// The distance from a spot or point light nearer than which nothing casts a shadow, metres; 0 where anything does.
-    pub near: f32,
 }
 
 impl FrameLight {
@@ -27,21 +25,21 @@ impl FrameLight {
     pub fn at(light: &umbrage_scene::Light, seconds: f32) -> Result<Self, RenderError> {
         let world_from_light = light.world_from_light_at(seconds);
         let (position, direction) = (world_from_light.w_axis.truncate(), -world_from_light.z_axis.truncate());
+        // NaN is no distance, and neither is one without end.
+        let near = if light.near > 0.0 { light.near.min(f32::MAX) } else { 0.0 };
         let (shadows, cone) = match light.kind {
             LightKind::Directional => (Light::directional(direction)?, [0.0; 2]),
             LightKind::Spot { inner, outer, range } => {
                 let outer = outer.min(WIDEST_HALF_ANGLE);
-                (Light::spot(position, direction, outer, range)?, [inner.min(outer), outer])
+                (Light::spot(position, direction, outer, range)?.with_near(near)?, [inner.min(outer), outer])
             }
-            LightKind::Point { range } => (Light::point(position, range)?, [0.0; 2]),
+            LightKind::Point { range } => (Light::point(position, range)?.with_near(near)?, [0.0; 2]),
         };
         let strength = match light.kind {
             LightKind::Directional => SUN_LIGHT,
             LightKind::Spot { .. } | LightKind::Point { .. } => light.intensity,
         };
-        // NaN is no distance.
-        let near = light.near.max(0.0);
-        Ok(Self { light: shadows, colour: light.colour * strength, cone, near })
+        Ok(Self { light: shadows, colour: light.colour * strength, cone })
     }
 }
 

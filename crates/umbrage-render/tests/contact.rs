@@ -60,7 +60,7 @@ fn visibility(gpu: &Gpu, scene: &Scene, camera: Camera, light: Light, contact: O
     let bias = Bias { constant: GAP, ..Bias::default() };
     let settings = Settings { bias, contact, ..Settings::default() };
     let mut renderer = Renderer::new(gpu, scene, settings).expect("a renderer");
-    let lights = vec![FrameLight { light, colour: Vec3::ONE, cone: [0.0; 2], near: 0.0 }];
+    let lights = vec![FrameLight { light, colour: Vec3::ONE, cone: [0.0; 2] }];
     let show = Show::Visibility(0);
     let frame = Frame {
         camera,
