@@ -136,10 +136,10 @@ mod tests {
             assert_eq!(Verdict::new(truth, visibility), verdict, "{truth:?}, {visibility}");
             tally.count(truth, visibility);
         }
-        // Halves, but for a little: each is as far from the truth as it can be without being on its other side.
-        let missed = 0.5 + f64::from(1.0 - less) + f64::from(less) + 0.5;
+        // Halves, but for what is too little in one and too much in another.
+        let missed = 2.0;
         assert_eq!(tally, Tally { judged: 4, false_shadow: 1, false_light: 1, missed });
-        assert_eq!(tally.mae(), 0.25 * missed, "what is right by one half is half wrong");
+        assert_eq!(tally.mae(), 0.5, "also of those that are right by one half");
         let shares = [tally.mis_shadowed(), tally.false_shadow_share(), tally.false_light_share()];
         assert_eq!(shares, [0.5, 0.25, 0.25]);
         assert_eq!(Tally::default().mis_shadowed(), 0.0, "nothing is judged yet");
