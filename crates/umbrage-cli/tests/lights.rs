@@ -134,7 +134,7 @@ fn ten_thousand_lights_are_planned_in_a_moment() {
 fn odd_lights_are_named_and_the_others_shine() {
     let odd = |name: &str, intensity, range| Light::point(name, Vec3::new(0.0, 5.0, 4.0), range, intensity);
     let lights = vec![odd("minus", -1.0, 9.0), odd("huge", 1e30, 9.0), odd("short", 5.0, 0.0), sun()];
-    let (measured, warnings) = measured(&scene(lights.clone()), &[]);
+    let (measured, warnings) = measured(&scene(lights), &[]);
     let [line] = &warnings[..] else { panic!("one warning: {warnings:?}") };
     for name in ["minus", "-1", "huge", "1e30", "short", "range 0"] {
         assert!(line.contains(name), "{name}: {line}");

@@ -189,3 +189,22 @@ fn flight_at(scene: &Scene, camera: Option<&Camera>) -> Flight {
     let ahead = (middle - camera.eye()).dot(camera.forward());
     Flight::at(camera, ahead.clamp(0.02 * size, 0.5 * size))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_lights_the_brightest_at_the_camera_shine_and_the_others_are_named() {
+        let mut scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        let eye = scene.cameras[0].eye();
+        let lamp =
+            |i: u8| Light::point(&format!("lamp {i}"), eye + glam::Vec3::Y * f32::from(i + 1), 50.0, 9.0);
+        scene.lights = (0..20).rev().map(lamp).collect();
+        let view = ViewState::new(&scene, Settings::default(), None);
+        let names: Vec<String> = view.lights(&scene).into_iter().map(|light| light.name).collect();
+        assert_eq!(names, (0..16).rev().map(|i| format!("lamp {i}")).collect::<Vec<_>>());
+        let warnings = view.shining(&scene).warnings;
+        assert!(warnings.len() == 1 && warnings[0].contains("\"lamp 16\""), "{warnings:?}");
+    }
+}

@@ -81,9 +81,8 @@ pub(super) fn light(
             if !is_a_cone {
                 warnings.note("spots whose half angles are not 0 <= inner <= outer <= π/2 are mended", &name);
             }
-            // NaN becomes the least.
-            let outer = if is_a_cone { outer } else { outer.max(LEAST_HALF_ANGLE).min(FRAC_PI_2) };
-            let inner = if is_a_cone { inner } else { inner.max(0.0).min(outer) };
+            let outer = if is_a_cone { outer } else { outer.clamp(LEAST_HALF_ANGLE, FRAC_PI_2) };
+            let inner = if is_a_cone { inner } else { inner.clamp(0.0, outer) };
             LightKind::Spot { inner, outer, range }
         }
         (Checked::Valid(Type::Spot) | Checked::Invalid, _) => {
