@@ -1,6 +1,6 @@
 //! A world: what is in it, where it stands, how it moves, and where it is seen from.
 
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 
 use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Motion, Texture};
 
@@ -9,6 +9,9 @@ use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Motion, Texture};
 pub struct Scene {
     /// The name of the built-in world, or the stem of the file's name.
     pub name: String,
+    /// The place of the scene's own origin in the coordinates of the file or the survey, metres; zero for worlds that have no
+    /// other coordinates.
+    pub origin: DVec3,
     /// The meshes, each in its own space.
     pub meshes: Vec<Mesh>,
     /// The instances, which place meshes in the world.
