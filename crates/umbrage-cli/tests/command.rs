@@ -237,6 +237,7 @@ fn lists_name_every_world_preset_and_adapter() {
         "huge-chessboard",
         "knights",
         "mining-terrain",
+        "survey",
     ] {
         assert!(worlds.contains(name), "{name}: {worlds}");
     }

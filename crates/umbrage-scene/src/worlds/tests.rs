@@ -26,7 +26,7 @@ const TABLE: [Row; 14] = [
     // A windmill is a tower and a rotor.
     ("mining-terrain", 1_300_000, 2.56, 10 + 2 * 15 + 20 + 10, 25, [1.0, 1000.0]),
     // A quarter of the land is 5.12 km wide.
-    ("survey", 952_000, 26.2144, 3118, 0, [1.0, 5000.0]),
+    ("survey", 953_000, 26.2144, 3138, 0, [1.0, 5000.0]),
 ];
 
 /// The surfaces that others stand on.

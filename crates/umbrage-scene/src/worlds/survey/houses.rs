@@ -12,6 +12,8 @@ use crate::shape::{Model, Solid, cuboid, cylinder, prism, pyramid};
 /// How far walls go down into the ground, so that no slope shows their lower edge.
 const FOOTING: f32 = 3.0;
 const EAVES: f32 = 0.45;
+/// How steep gables are.
+const PITCH: f32 = 0.85;
 
 /// Walls may have one of these colours, roofs with gables one of the others.
 const WALLS: [Paint; 5] = [Paint::White, Paint::Ivory, Paint::Sandstone, Paint::Skin, Paint::Stone];
@@ -21,27 +23,32 @@ const TILES: [Paint; 4] = [Paint::Beard, Paint::Wood, Paint::Leather, Paint::Sla
 pub(super) fn house(dice: &mut Dice, width: f32, depth: f32, height: f32) -> Model {
     let (walls, tiles) = (WALLS[dice.pick(WALLS.len())], TILES[dice.pick(TILES.len())]);
     let mut house = Model::default();
-    match dice.pick(5) {
-        0 => flat(&mut house, &outline(dice, width, depth), height, walls),
+    // Where the ridge is (a place on it, across how many metres of roof), if there is one.
+    let ridge = match dice.pick(5) {
+        0 => {
+            flat(&mut house, &outline(dice, width, depth), height, walls);
+            None
+        }
         1 if width > depth * 0.8 => {
             // A wing at right angles makes an L or a T.
             let (wing, aside) = (width * 0.42, dice.between(-0.5, 0.5) * width * 0.58);
+            let wing = [wing, depth * 0.85, height * 0.96];
             gabled(&mut house, [width, depth * 0.6, height], [0.0, -depth * 0.2], false, [walls, tiles]);
-            gabled(
-                &mut house,
-                [wing, depth * 0.85, height * 0.96],
-                [aside, depth * 0.06],
-                true,
-                [walls, tiles],
-            );
+            gabled(&mut house, wing, [aside, depth * 0.06], true, [walls, tiles]);
+            Some((width * dice.between(-0.4, 0.4), -depth * 0.2, depth * 0.6))
         }
-        2 => gabled(&mut house, [width, depth, height], [0.0, 0.0], true, [walls, tiles]),
-        _ => gabled(&mut house, [width, depth, height], [0.0, 0.0], false, [walls, tiles]),
-    }
-    if dice.pick(3) > 0 {
-        let (x, y) = (dice.between(-0.3, 0.3) * width, dice.between(-0.15, 0.15) * depth);
-        let rise = height + depth.min(width) * 0.45;
-        house.add(Paint::Beard, cuboid(0.8, 0.8, 2.6).moved(x, y, rise));
+        2 => {
+            gabled(&mut house, [width, depth, height], [0.0, 0.0], true, [walls, tiles]);
+            Some((0.0, depth * dice.between(-0.4, 0.4), width))
+        }
+        _ => {
+            gabled(&mut house, [width, depth, height], [0.0, 0.0], false, [walls, tiles]);
+            Some((width * dice.between(-0.4, 0.4), 0.0, depth))
+        }
+    };
+    if let Some((x, y, span)) = ridge.filter(|_| dice.pick(4) > 0) {
+        // The middle of the chimney is on the ridge.
+        house.add(Paint::Beard, cuboid(0.8, 0.8, 2.6).moved(x, y, height + (span * 0.5 + EAVES) * PITCH));
     }
     house
 }
@@ -118,7 +125,7 @@ fn gabled(
     house.add(walls, cuboid(width, depth, height + FOOTING).moved(x, y, (height - FOOTING) * 0.5));
     let (span, length) = if ridge_along_y { (width, depth) } else { (depth, width) };
     let half = span * 0.5 + EAVES;
-    let roof = prism(&[[-half, 0.0], [half, 0.0], [0.0, half * 0.85]], length + 2.0 * EAVES);
+    let roof = prism(&[[-half, 0.0], [half, 0.0], [0.0, half * PITCH]], length + 2.0 * EAVES);
     let upright = roof.turned(FRAC_PI_2, 0.0, 0.0);
     let along = if ridge_along_y { upright } else { turned(upright) };
     house.add(tiles, along.moved(x, y, height));

@@ -1,6 +1,8 @@
 //! The street lamps around the market: hooded ones that throw a cone on the street, and round ones that shine all around;
 //! some with a range, and some without, as exporters write them.
 
+use std::f32::consts::{FRAC_PI_2, PI};
+
 use glam::{Vec2, Vec3};
 
 use super::land::Land;
@@ -27,12 +29,12 @@ const ARM: f32 = 1.8;
 const ENDLESS: f32 = f32::INFINITY;
 
 const LAMPS: [Lamp; 12] = [
-    Lamp::Hooded { along: -30.0, north: 5.4, turn: -1.57, range: 30.0 },
-    Lamp::Hooded { along: 6.0, north: 5.4, turn: -1.57, range: ENDLESS },
-    Lamp::Hooded { along: 40.0, north: 5.4, turn: -1.57, range: 30.0 },
-    Lamp::Hooded { along: -75.0, north: -5.2, turn: 1.57, range: 30.0 },
-    Lamp::Hooded { along: 85.0, north: -5.2, turn: 1.57, range: ENDLESS },
-    Lamp::Hooded { along: -42.5, north: 40.0, turn: 3.14, range: 30.0 },
+    Lamp::Hooded { along: -30.0, north: 5.4, turn: -FRAC_PI_2, range: 30.0 },
+    Lamp::Hooded { along: 6.0, north: 5.4, turn: -FRAC_PI_2, range: ENDLESS },
+    Lamp::Hooded { along: 40.0, north: 5.4, turn: -FRAC_PI_2, range: 30.0 },
+    Lamp::Hooded { along: -75.0, north: -5.2, turn: FRAC_PI_2, range: 30.0 },
+    Lamp::Hooded { along: 85.0, north: -5.2, turn: FRAC_PI_2, range: ENDLESS },
+    Lamp::Hooded { along: -42.5, north: 40.0, turn: PI, range: 30.0 },
     Lamp::Hooded { along: 42.5, north: 60.0, turn: 0.0, range: 30.0 },
     Lamp::Round { along: -30.0, north: 22.0, range: 24.0 },
     Lamp::Round { along: -26.0, north: 58.0, range: ENDLESS },

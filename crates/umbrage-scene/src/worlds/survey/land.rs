@@ -94,7 +94,7 @@ impl Land {
 
     /// Digs the bed of the stream.
     pub fn dig_stream(&mut self) {
-        let line: Vec<Vec3> = stations(|east| stream(east)).map(|p| p.extend(water(p.x))).collect();
+        let line: Vec<Vec3> = stations(stream).map(|p| p.extend(water(p.x))).collect();
         let end = STREAM_HALF_WIDTH + 34.0;
         self.shape(&line, end, |height, water, away| {
             let bank = smooth(STREAM_HALF_WIDTH - 8.0, end, away);

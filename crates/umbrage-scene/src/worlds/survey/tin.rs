@@ -81,6 +81,9 @@ fn index([column, row]: Place) -> usize {
 }
 
 /// For each corner, how wrong the land would be without it and all that depend on it, in tolerances.
+///
+/// A corner is the middle of a side of squares, or of a square. Halving a triangle at the middle of a square needs those of
+/// the square's sides, and halving one at the middle of a side needs those of the squares of half the size beside it.
 fn errors(land: &Land, tolerance: impl Fn(Vec2) -> f32) -> Vec<f32> {
     let mut errors = vec![0.0_f32; (CELLS + 1) * (CELLS + 1)];
     let own = |middle: Place, a: Place, b: Place| {
@@ -90,46 +93,47 @@ fn errors(land: &Land, tolerance: impl Fn(Vec2) -> f32) -> Vec<f32> {
     };
     let mut step = 1;
     while step < CELLS {
-        // Middles of level and upright sides: between squares of 2 steps, whose halves meet at the squares' middles.
-        for row in (0..=CELLS).step_by(step) {
-            let first = if (row / step).is_multiple_of(2) { step } else { 0 };
-            for column in (first..=CELLS).step_by(2 * step) {
-                let level = first == step;
-                let [a, b] = if level {
-                    [[column - step, row], [column + step, row]]
-                } else {
-                    [[column, row - step], [column, row + step]]
-                };
-                let mut worst = own([column, row], a, b);
-                if step > 1 {
-                    let half = step / 2;
-                    for (east, north) in [(0, 0), (0, step), (step, 0), (step, step)] {
-                        let (c, r) = ((column + east).checked_sub(half), (row + north).checked_sub(half));
-                        if let (Some(c), Some(r)) = (c.filter(|c| *c <= CELLS), r.filter(|r| *r <= CELLS)) {
-                            worst = worst.max(errors[index([c, r])]);
-                        }
-                    }
-                }
-                errors[index([column, row])] = worst;
-            }
+        for (middle, a, b) in sides(step) {
+            let diagonal = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
+            let worst = worst_beside(&errors, middle, step / 2, diagonal);
+            errors[index(middle)] = own(middle, a, b).max(worst);
         }
-        // Middles of squares: the diagonal goes through that corner which is the middle of a larger square.
-        for row in (step..CELLS).step_by(2 * step) {
-            for column in (step..CELLS).step_by(2 * step) {
-                let odd = |v: usize| if (v - step) / step % 4 == 2 { v - step } else { v + step };
-                let (c, r) = (odd(column), odd(row));
-                let mut worst = own([column, row], [c, r], [2 * column - c, 2 * row - r]);
-                for beside in
-                    [[column - step, row], [column + step, row], [column, row - step], [column, row + step]]
-                {
-                    worst = worst.max(errors[index(beside)]);
-                }
-                errors[index([column, row])] = worst;
-            }
+        for (middle, a, b) in squares(step) {
+            let worst = worst_beside(&errors, middle, step, [(1, 0), (-1, 0), (0, 1), (0, -1)]);
+            errors[index(middle)] = own(middle, a, b).max(worst);
         }
         step *= 2;
     }
     errors
+}
+
+/// The largest error at `step` from a place in four directions; 0 for no step.
+fn worst_beside(errors: &[f32], [column, row]: Place, step: usize, directions: [(isize, isize); 4]) -> f32 {
+    let along = |v: usize, by: isize| v.checked_add_signed(by * step as isize).filter(|v| *v <= CELLS);
+    let error = |(east, north)| Some(errors[index([along(column, east)?, along(row, north)?])]);
+    if step == 0 { 0.0 } else { directions.into_iter().filter_map(error).fold(0.0, f32::max) }
+}
+
+/// The middles of all sides of squares of two steps, with the ends of the side.
+fn sides(step: usize) -> impl Iterator<Item = (Place, Place, Place)> {
+    let level = move |row: usize| (row / step).is_multiple_of(2);
+    let columns = move |row: usize| (if level(row) { step } else { 0 }..=CELLS).step_by(2 * step);
+    let places = (0..=CELLS).step_by(step).flat_map(move |row| columns(row).map(move |column| [column, row]));
+    places.map(move |[column, row]| {
+        let [east, north] = if level(row) { [step, 0] } else { [0, step] };
+        ([column, row], [column - east, row - north], [column + east, row + north])
+    })
+}
+
+/// The middles of all squares of two steps, with the ends of the diagonal that triangles have: it goes through that corner
+/// which is itself the middle of a larger square.
+fn squares(step: usize) -> impl Iterator<Item = (Place, Place, Place)> {
+    let middles = move || (step..CELLS).step_by(2 * step);
+    let odd = move |v: usize| if (v - step) / step % 4 == 2 { v - step } else { v + step };
+    middles().flat_map(move |row| middles().map(move |column| [column, row])).map(move |[column, row]| {
+        let end = [odd(column), odd(row)];
+        ([column, row], end, [2 * column - end[0], 2 * row - end[1]])
+    })
 }
 
 /// Where each corner that triangles have was measured.
