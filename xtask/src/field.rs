@@ -89,6 +89,8 @@ fn measure(umbrage: Option<&Path>) -> anyhow::Result<Value> {
                     Ok(figures) => {
                         row["mis_shadowed"] = figures["error"]["mis_shadowed"].clone();
                         row["mae"] = figures["error"]["mae"].clone();
+                        row["pixels"] = figures["truth"]["pixels"].clone();
+                        row["shadowed"] = figures["truth"]["shadowed"].clone();
                         adapter = figures["adapter"].clone();
                     }
                     Err(why) => row["refused"] = why.into(),

@@ -107,17 +107,13 @@ impl Pages<'_> {
 
     fn cell(&self, placement: &str, light: &str, scale: f64, distance: f64, figure: &str) -> Option<String> {
         let of = |figures: &Value| -> Option<String> {
-            let row = figures["rows"].as_array()?.iter().find(|row| {
-                row["placement"] == placement
-                    && row["light"] == light
-                    && row["scale"].as_f64() == Some(scale)
-                    && row["distance"].as_f64() == Some(distance)
-            })?;
-            Some(match row[figure].as_f64() {
-                Some(share) => percent(share),
-                None if row["refused"].is_string() => "refused".to_owned(),
-                None => "none".to_owned(),
-            })
+            let row = row(figures, placement, light, scale, distance)?;
+            let Some(share) = row[figure].as_f64() else {
+                return Some(if row["refused"].is_string() { "refused" } else { "none" }.to_owned());
+            };
+            // Seen from afar as at the origin, or not.
+            let same = is_same_picture(row, self::row(figures, placement, light, scale, 0.0)?)?;
+            Some(format!("{}{}", percent(share), if same { "" } else { "*" }))
         };
         let now = of(self.now)?;
         match self.before {
@@ -125,6 +121,24 @@ impl Pages<'_> {
             None => Some(now),
         }
     }
+}
+
+fn row<'a>(figures: &'a Value, placement: &str, light: &str, scale: f64, distance: f64) -> Option<&'a Value> {
+    figures["rows"].as_array()?.iter().find(|row| {
+        row["placement"] == placement
+            && row["light"] == light
+            && row["scale"].as_f64() == Some(scale)
+            && row["distance"].as_f64() == Some(distance)
+    })
+}
+
+/// Whether exact shadows are where they are at the origin, as far as counts of pixels tell: within 2 % of them.
+fn is_same_picture(row: &Value, at_origin: &Value) -> Option<bool> {
+    let near = |key: &str| -> Option<bool> {
+        let (here, there) = (row[key].as_f64()?, at_origin[key].as_f64()?);
+        Some((here - there).abs() <= 0.02 * there)
+    };
+    Some(near("pixels")? && near("shadowed")?)
 }
 
 /// A share as per cent: three digits, and no more than two behind the point.
@@ -151,6 +165,8 @@ mod tests {
                     } else {
                         row["mis_shadowed"] = share.into();
                         row["mae"] = (2.0 * share).into();
+                        row["pixels"] = 1000.into();
+                        row["shadowed"] = if distance > 1e5 { 150.into() } else { 100.into() };
                     }
                     rows.push(row);
                 }
@@ -165,6 +181,7 @@ mod tests {
         let page = page(Some(&before), &now).expect("a page");
         assert!(page.contains("| 1000 | 50.0 % → 0.10 % | 100.0 % → 0.20 % |"), "{page}");
         assert!(page.contains("| 1000000 | refused → refused |"), "{page}");
+        assert!(page.contains("| 1000000 | 50.0 %* → 0.10 %* |"), "another picture is marked: {page}");
     }
 
     #[test]
