@@ -36,10 +36,10 @@ const LAMPS: [Lamp; 12] = [
     Lamp::Hooded { along: 85.0, north: -5.2, turn: FRAC_PI_2, range: ENDLESS },
     Lamp::Hooded { along: -42.5, north: 40.0, turn: PI, range: 30.0 },
     Lamp::Hooded { along: 42.5, north: 60.0, turn: 0.0, range: 30.0 },
-    Lamp::Round { along: -30.0, north: 22.0, range: 24.0 },
-    Lamp::Round { along: -26.0, north: 58.0, range: ENDLESS },
-    Lamp::Round { along: 8.0, north: 68.0, range: 24.0 },
-    Lamp::Round { along: 36.0, north: 22.0, range: ENDLESS },
+    Lamp::Round { along: -30.0, north: 22.0, range: ENDLESS },
+    Lamp::Round { along: -26.0, north: 58.0, range: 24.0 },
+    Lamp::Round { along: -37.0, north: 36.0, range: ENDLESS },
+    Lamp::Round { along: 36.0, north: 22.0, range: 24.0 },
     Lamp::Round { along: 4.0, north: 22.0, range: 24.0 },
 ];
 
