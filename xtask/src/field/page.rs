@@ -16,7 +16,7 @@ const PLACED: [(&str, &str, &str); 3] = [
     (
         "wide",
         "Far by a node, in a wide world",
-        "The same, and the same casters stand at the origin too, so that no choice of origin is near to everything.",
+        "The same, and another court stands near the origin, out of sight, so that no choice of an origin is near to everything.",
     ),
     (
         "baked",

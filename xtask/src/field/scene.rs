@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 pub enum Placement {
     /// One node moves everything: vertices are small numbers, and the distance is a number of JSON.
     Node,
-    /// As [`Self::Node`], and something stands at the origin too, so that the world is as wide as the distance.
+    /// As [`Self::Node`], and another court stands near the origin, so that the world is as wide as the distance.
     Wide,
     /// Vertices are far from the origin themselves, and are as coarse as f32 is there.
     Baked,
@@ -38,6 +38,9 @@ type Place = [f64; 3];
 
 /// The unit direction in which courts lie: none of its parts is zero.
 const AWAY: Place = [2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0];
+/// Where the other court of a wide world stands, in units: behind the camera and below, so that it is never seen and casts
+/// nothing that is.
+const BESIDE_ORIGIN: Place = [20.0, -10.0, 20.0];
 const EYE: Place = [6.0, 5.0, 9.0];
 /// Where the spot stands, and the point light.
 const SPOT: Place = [2.0, 6.0, 5.0];
@@ -85,7 +88,8 @@ impl Court {
         ];
         let mut scene = vec![0];
         if self.placement == Placement::Wide {
-            nodes.push(json!({ "name": "at the origin", "mesh": 0 }));
+            let beside = BESIDE_ORIGIN.map(|part| part * self.scale);
+            nodes.push(json!({ "name": "at the origin", "mesh": 0, "translation": beside }));
             scene.push(nodes.len() - 1);
         }
         let view = |start: usize| json!({ "buffer": 0, "byteOffset": start, "byteLength": half });

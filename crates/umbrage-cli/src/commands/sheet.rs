@@ -6,13 +6,14 @@ use std::path::Path;
 
 use image::{ExtendedColorType, RgbaImage};
 use umbrage::Settings;
-use umbrage_lab::Shot;
+use umbrage_lab::{Shot, files};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
+use umbrage_scene::Imported;
 
 use crate::args::SheetArgs;
 use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
-use crate::{output, progress, world};
+use crate::{output, progress};
 
 /// White around tiles, pixels.
 const GAP: u32 = 8;
@@ -36,7 +37,7 @@ pub fn run(args: &SheetArgs) -> Outcome {
     for file in &args.files {
         let picture = draw(&gpu, file, size).map_err(|why| why.to_string());
         if let Err(why) = &picture {
-            eprintln!("{file}: {why}");
+            eprintln!("warning: not drawn, {why}");
         }
         tiles.push(Tile { name: short_name(file), picture });
         bar.inc(1);
@@ -58,7 +59,10 @@ pub fn run(args: &SheetArgs) -> Outcome {
 
 /// A picture from a file's first camera, under its lights, or as many as shine at once.
 fn draw(gpu: &Gpu, file: &str, (width, height): (u32, u32)) -> Outcome<RgbaImage> {
-    let scene = world::load(file, 0)?;
+    let Imported { scene, warnings } = files::load_world(file, 0)?;
+    for warning in warnings {
+        eprintln!("warning: {warning}: {file}");
+    }
     let camera = scene.cameras.first().cloned().ok_or_else(|| Failure::usage("there is no camera"))?;
     let lights = scene.lights.iter().take(umbrage::MAX_LIGHTS).cloned().collect();
     let shot = Shot { camera, lights, seconds: 0.0, width, height };
