@@ -9,9 +9,6 @@ use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Motion, Texture};
 pub struct Scene {
     /// The name of the built-in world, or the stem of the file's name.
     pub name: String,
-    /// The place of the scene's own origin in the coordinates of the file or the survey, metres; zero for worlds that have no
-    /// other coordinates.
-    pub origin: DVec3,
     /// The meshes, each in its own space.
     pub meshes: Vec<Mesh>,
     /// The instances, which place meshes in the world.
@@ -27,6 +24,9 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// A flight through the world, for measurements over time.
     pub path: CameraPath,
+    /// Where the scene's own origin lies in the file's coordinates, in metres; zero where the scene lies around the
+    /// file's origin, which is the default. Everything else of the scene is measured from its own origin.
+    pub origin: DVec3,
 }
 
 /// An instance is a mesh placed in the world.
