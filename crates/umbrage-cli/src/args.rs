@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
 
-pub use draw::{DemoArgs, RenderArgs, ViewArgs};
+pub use draw::{DemoArgs, RenderArgs, SheetArgs, ViewArgs};
 pub use measure::{BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
 pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WgslArgs, WorldsArgs, WorldsCommand};
 
@@ -28,6 +28,8 @@ pub enum Command {
     Demo(DemoArgs),
     /// Draws a picture, its visibility, or its shadow maps
     Render(RenderArgs),
+    /// Draws many files side by side on one sheet, each over its name
+    Sheet(SheetArgs),
     /// Prints where a camera's depth is cut, and the views it makes; needs no GPU
     Plan(PlanArgs),
     /// Prints a shader text, for any WGSL compiler; needs no GPU

@@ -30,7 +30,7 @@ pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
 }
 
 fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
-    let Scene { name, meshes, instances, materials, textures, cameras, lights, path } = scene;
+    let Scene { name, meshes, instances, materials, textures, cameras, lights, path, origin: _ } = scene;
     let mut document = Document::new(Root {
         asset: Asset { generator: Some("umbrage".to_owned()), ..Asset::default() },
         ..Root::default()
