@@ -237,6 +237,7 @@ fn lists_name_every_world_preset_and_adapter() {
         "huge-chessboard",
         "knights",
         "mining-terrain",
+        "survey",
     ] {
         assert!(worlds.contains(name), "{name}: {worlds}");
     }
@@ -414,4 +415,19 @@ fn exposures_and_surroundings_that_cannot_be_are_refused_in_a_line() {
     for (flag, value, named) in wrong {
         refused(&[base.as_slice(), &[flag, value]].concat(), 2, named, Some(&picture));
     }
+}
+
+#[test]
+fn a_sheet_has_every_file_and_a_bad_one_spoils_no_other() {
+    let folder = folder();
+    let (sheet, broken) = (folder.path().join("sheet.png"), folder.path().join("broken.glb"));
+    std::fs::write(&broken, b"no glTF").expect("a file");
+    let args = ["sheet", "primitives", text(&broken), "-o", text(&sheet), "--size", "64x48"];
+    let output = umbrage(&args);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && stderr.contains("broken.glb"), "{stderr}");
+    let picture = image::open(&sheet).expect("a picture").into_rgba8();
+    assert_eq!(picture.dimensions(), (8 + 2 * 72, 8 + 76));
+    refused(&["sheet", text(&broken), "-o", text(&sheet)], 1, "none of 1 files", None);
+    refused(&["sheet", "-o", text(&sheet)], 2, "WORLD", None);
 }

@@ -99,8 +99,18 @@ fn sampler(gpu: &Gpu) -> wgpu::Sampler {
 }
 
 fn gpu_material(material: &Material) -> GpuMaterial {
-    let Material { name: _, base_colour, texture: _, metallic, roughness, specular, emission, unlit, maps } =
-        material;
+    let Material {
+        name: _,
+        base_colour,
+        texture: _,
+        metallic,
+        roughness,
+        specular,
+        emission,
+        unlit,
+        casts: _,
+        maps,
+    } = material;
     let Maps { metallic_roughness, normal, occlusion, emission: emission_map } = *maps;
     let maps = [metallic_roughness, normal.map(|of| of.0), occlusion.map(|of| of.0), emission_map];
     GpuMaterial {

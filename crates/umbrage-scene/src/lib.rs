@@ -12,6 +12,7 @@
 mod actors;
 mod bounds;
 mod camera;
+mod casting;
 mod dice;
 mod environment;
 mod error;
@@ -26,10 +27,12 @@ mod paint;
 mod plate;
 mod scene;
 mod shape;
+mod shining;
 pub mod worlds;
 
 pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
+pub use casting::NoSuchName;
 pub use environment::{Environment, load_environment};
 pub use error::SceneError;
 pub use export::to_glb;
@@ -40,3 +43,4 @@ pub use mesh::{Mesh, Part, Primitive};
 pub use motion::Motion;
 pub use plate::plate_over_ground;
 pub use scene::{Instance, Scene};
+pub use shining::Shining;

@@ -22,8 +22,10 @@ pub struct Material {
     pub specular: f32,
     /// The light that the surface sends out by itself as linear RGB, candela a square metre, 0 or more.
     pub emission: Vec3,
-    /// Whether the surface shows its base colour whatever shines, as `KHR_materials_unlit` has it.
+    /// Whether the surface shows its base colour whatever shines (`KHR_materials_unlit`); false by default.
     pub unlit: bool,
+    /// Whether surfaces of the material cast shadows, where their instance does; true by default.
+    pub casts: bool,
     /// The pictures of everything but the base colour.
     pub maps: Maps,
 }
@@ -63,6 +65,7 @@ impl Material {
             specular: 0.0,
             emission: Vec3::ZERO,
             unlit: false,
+            casts: true,
             maps: Maps::default(),
         }
     }
@@ -78,6 +81,7 @@ impl Material {
             specular,
             emission,
             unlit,
+            casts: _,
             maps: Maps { metallic_roughness: _, normal, occlusion, emission: _ },
         } = self;
         *metallic == 0.0

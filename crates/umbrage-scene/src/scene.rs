@@ -1,6 +1,6 @@
 //! A world: what is in it, where it stands, how it moves, and where it is seen from.
 
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 
 use crate::{Aabb, Camera, CameraPath, Environment, Light, Material, Mesh, Motion, Texture};
 
@@ -28,23 +28,30 @@ pub struct Scene {
     pub exposed_for: Option<f32>,
     /// The picture of everything around the world; without one a plain sky is around it. No file of a scene has one.
     pub environment: Option<Environment>,
+    /// Where the scene's own origin lies in the file's coordinates, in metres; zero where the scene lies around the
+    /// file's origin, which is the default. Everything else of the scene is measured from its own origin.
+    pub origin: DVec3,
 }
 
 /// An instance is a mesh placed in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
+    /// The name that the file gives the instance; empty where it gives none.
+    pub name: String,
     /// The index of the mesh in [`Scene::meshes`].
     pub mesh: usize,
     /// The instance's transform at time 0, which is affine and may mirror.
     pub world_from_mesh: Mat4,
     /// The motion of the instance from where it stands at time 0.
     pub motion: Motion,
+    /// Whether the instance casts shadows. It receives them whether or not.
+    pub casts: bool,
 }
 
 impl Instance {
-    /// Places a mesh that stands still.
+    /// Places a mesh that has no name, stands still and casts shadows.
     pub fn still(mesh: usize, world_from_mesh: Mat4) -> Self {
-        Self { mesh, world_from_mesh, motion: Motion::Still }
+        Self { name: String::new(), mesh, world_from_mesh, motion: Motion::Still, casts: true }
     }
 
     /// Whether the instance moves with time.

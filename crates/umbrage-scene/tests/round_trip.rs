@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use glam::{Affine2, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, DVec3, Mat4, Quat, Vec2, Vec3, Vec4};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use umbrage_scene::*;
@@ -25,15 +25,29 @@ fn bits(scene: &Scene) -> Vec<String> {
             vector(centre) + &vector(axis) + &floats(&[*radians_per_second])
         }
     };
-    for Instance { mesh, world_from_mesh, motion } in &scene.instances {
-        bits.push(format!("instance {mesh} {} {}", matrix(world_from_mesh), movement(motion)));
+    for Instance { name, mesh, world_from_mesh, motion, casts } in &scene.instances {
+        bits.push(format!(
+            "instance {name:?} {mesh} {} {} {casts}",
+            matrix(world_from_mesh),
+            movement(motion)
+        ));
     }
-    for Material { name, base_colour, texture, metallic, roughness, specular, emission, unlit, maps } in
-        &scene.materials
+    for Material {
+        name,
+        base_colour,
+        texture,
+        metallic,
+        roughness,
+        specular,
+        emission,
+        unlit,
+        casts,
+        maps,
+    } in &scene.materials
     {
         let numbers = floats(&[*metallic, *roughness, *specular, emission.x, emission.y, emission.z]);
         let base = floats(&base_colour.to_array());
-        bits.push(format!("material {name:?} {base} {texture:?} {numbers} {unlit} {maps:?}"));
+        bits.push(format!("material {name:?} {base} {texture:?} {numbers} {unlit} {casts} {maps:?}"));
     }
     bits.extend(scene.textures.iter().map(|texture| format!("{texture:?}")));
     for Camera { name, world_from_camera, lens, near, far } in &scene.cameras {
@@ -43,8 +57,8 @@ fn bits(scene: &Scene) -> Vec<String> {
         };
         bits.push(format!("{kind} {name:?} {} {}", matrix(world_from_camera), floats(&[size, *near, *far])));
     }
-    for Light { name, world_from_light, colour, intensity, kind, motion } in &scene.lights {
-        let colour = floats(&[colour.x, colour.y, colour.z, *intensity]);
+    for Light { name, world_from_light, colour, intensity, kind, near, motion } in &scene.lights {
+        let colour = floats(&[colour.x, colour.y, colour.z, *intensity, *near]);
         let movement = movement(motion);
         bits.push(format!("light {name:?} {} {colour} {kind:?} {movement}", matrix(world_from_light)));
     }
@@ -112,11 +126,15 @@ fn motion() -> impl Strategy<Value = Motion> {
 
 fn instance() -> impl Strategy<Value = Instance> {
     let scale = [0.1f32..5.0, -5.0f32..-0.1, 0.1f32..5.0].prop_map(|s| Mat4::from_scale(s.into()));
-    (0..2usize, rigid(), scale, motion()).prop_map(|(mesh, pose, scale, motion)| Instance {
-        mesh,
-        world_from_mesh: pose * scale,
-        motion,
-    })
+    (".{0,8}", 0..2usize, rigid(), scale, motion(), any::<bool>()).prop_map(
+        |(name, mesh, pose, scale, motion, casts)| Instance {
+            name,
+            mesh,
+            world_from_mesh: pose * scale,
+            motion,
+            casts,
+        },
+    )
 }
 
 fn camera() -> impl Strategy<Value = Camera> {
@@ -130,6 +148,7 @@ fn camera() -> impl Strategy<Value = Camera> {
 }
 
 fn light() -> impl Strategy<Value = Light> {
+    let near = prop_oneof![Just(0.0f32), 1e-3f32..10.0];
     let range = prop_oneof![Just(f32::INFINITY), 0.1f32..1e4];
     let kind = prop_oneof![
         Just(LightKind::Directional),
@@ -140,13 +159,14 @@ fn light() -> impl Strategy<Value = Light> {
             range
         }),
     ];
-    (".{0,8}", rigid(), [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], 0.0f32..1e5, kind, motion()).prop_map(
-        |(name, world_from_light, colour, intensity, kind, motion)| Light {
+    (".{0,8}", rigid(), [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], 0.0f32..1e5, kind, near, motion()).prop_map(
+        |(name, world_from_light, colour, intensity, kind, near, motion)| Light {
             name,
             world_from_light,
             colour: colour.into(),
             intensity,
             kind,
+            near,
             motion,
         },
     )
@@ -167,6 +187,7 @@ fn material(i: usize, textures: usize, (colour, [a, b, c, scale], light, has): N
         specular: if has[0] { 1.0 } else { c },
         emission: Vec3::from(light) * f32::from(u8::from(has[1])),
         unlit: has[2],
+        casts: i != 2,
         maps: Maps {
             metallic_roughness: map(has[3]),
             normal: map(has[4]).map(|map| (map, scale)),
@@ -206,6 +227,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                 keys: path.into_iter().map(|(eye, target)| PathKey { eye, target }).collect(),
             },
             environment: None,
+            origin: DVec3::ZERO,
         },
     )
 }

@@ -21,21 +21,19 @@ pub fn run(args: &RenderArgs) -> Outcome {
         ));
     }
     let settings = settings::resolve(&args.shadows)?;
-    let scene = world::load_with(&args.world.world, args.world.seed, &args.look)?;
+    let scene = world::open_with(&args.world, &args.look)?;
     advice::warn_of_open_casters(&scene, &settings);
     let show = match (args.no_shadows, args.splits) {
         (true, _) => Show::Unshadowed,
         (false, true) => Show::Marked(Mark::Splits),
         (false, false) => Show::World,
     };
-    let frame = Frame {
-        exposure: args.look.exposure(),
-        haze: !args.look.no_haze,
-        ..world::frame(&args.world, &scene, show)?
-    };
+    let shot = world::shot(&args.world, &scene, world::PICTURE)?;
+    let frame =
+        Frame { exposure: args.look.exposure(), haze: !args.look.no_haze, ..world::frame(&shot, show)? };
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     if let Some(path) = &args.aliasing {
-        write_aliasing(path, &gpu, &scene, &world::shot(&args.world, &scene, world::PICTURE)?, &settings)?;
+        write_aliasing(path, &gpu, &scene, &shot, &settings)?;
     }
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
     let area = args.area_samples.map(|samples| Area { samples, degrees: args.area_degrees });

@@ -17,10 +17,11 @@ impl Document {
         Self { root, bytes: Vec::new() }
     }
 
-    /// Declares that the file uses an extension.
-    pub fn uses(&mut self, extension: &str) {
-        if !self.root.extensions_used.iter().any(|used| used == extension) {
-            self.root.extensions_used.push(extension.to_owned());
+    /// Says that the document uses an extension.
+    pub fn declare(&mut self, extension: &str) {
+        let used = &mut self.root.extensions_used;
+        if !used.iter().any(|other| other == extension) {
+            used.push(extension.to_owned());
         }
     }
 

@@ -18,11 +18,12 @@ use gltf::json::{Index, Material as JsonMaterial, Value, serialize, texture};
 use super::bytes::Document;
 use super::pieces::add_texture;
 use crate::error::Fault;
+use crate::extras;
+use crate::import::UNLIT;
 use crate::{Map, Maps, Material, Texture};
 
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 const SPECULAR: &str = "KHR_materials_specular";
-const UNLIT: &str = "KHR_materials_unlit";
 const TRANSFORM: &str = "KHR_texture_transform";
 
 /// The index of every texture that is written, by its index in the scene.
@@ -62,8 +63,18 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn material(&mut self, material: &Material) -> Result<JsonMaterial, Fault> {
-        let Material { name, base_colour, texture, metallic, roughness, specular, emission, unlit, maps } =
-            material;
+        let Material {
+            name,
+            base_colour,
+            texture,
+            metallic,
+            roughness,
+            specular,
+            emission,
+            unlit,
+            casts,
+            maps,
+        } = material;
         let Maps { metallic_roughness, normal, occlusion, emission: emission_map } = *maps;
         let numbers = [*metallic, *roughness, *specular];
         let is_finite = base_colour.is_finite() && emission.is_finite();
@@ -90,6 +101,7 @@ impl Writer<'_> {
             emissive_texture: emission_map.and_then(|map| self.colours(map)),
             emissive_factor: EmissiveFactor((*emission / strength).to_array()),
             extensions: self.extensions(strength, *specular, *unlit),
+            extras: extras::of_material(*casts)?,
             ..JsonMaterial::default()
         })
     }
@@ -104,7 +116,7 @@ impl Writer<'_> {
         for (name, member, _) in members.into_iter().filter(|(_, _, is_used)| *is_used) {
             let value: Value = member.into_iter().map(|(key, number)| (key, Value::from(number))).collect();
             extensions.others.insert(name.to_owned(), value);
-            self.document.uses(name);
+            self.document.declare(name);
         }
         (!extensions.others.is_empty()).then_some(extensions)
     }
@@ -152,7 +164,7 @@ impl Writer<'_> {
         if map.picture_from_uv == Affine2::IDENTITY {
             return None;
         }
-        self.document.uses(TRANSFORM);
+        self.document.declare(TRANSFORM);
         let (scale, angle, offset) = map.picture_from_uv.to_scale_angle_translation();
         Some(TextureTransform {
             offset: TextureTransformOffset(offset.to_array()),

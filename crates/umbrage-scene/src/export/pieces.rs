@@ -167,7 +167,7 @@ pub(super) fn add_camera(document: &mut Document, camera: &Camera) -> Result<Ind
 
 /// Adds a light; the returned extension makes it hang on a node.
 pub(super) fn add_light(document: &mut Document, light: &Light) -> Result<NodeExtensions, Fault> {
-    let Light { name, world_from_light: _, colour, intensity, kind, motion: _ } = light;
+    let Light { name, world_from_light: _, colour, intensity, kind, near: _, motion: _ } = light;
     let (type_, range, spot) = match *kind {
         LightKind::Directional => (punctual::Type::Directional, f32::INFINITY, None),
         LightKind::Point { range } => (punctual::Type::Point, range, None),
@@ -182,7 +182,7 @@ pub(super) fn add_light(document: &mut Document, light: &Light) -> Result<NodeEx
     if !(colour.is_finite() && intensity.is_finite() && angles && !range.is_nan()) {
         return Err(Fault(format!("light {name:?} has numbers that are not finite, {kind:?}")));
     }
-    document.uses(LIGHTS);
+    document.declare(LIGHTS);
     let index = document.root.push(punctual::Light {
         color: colour.to_array(),
         intensity: *intensity,

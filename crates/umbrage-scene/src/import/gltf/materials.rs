@@ -24,6 +24,9 @@ use crate::{Material, Texture};
 pub(super) use mapping::Mapping;
 use maps::Pictures;
 
+/// The extension by which a material shows its own colour whatever the lights are.
+pub(crate) const UNLIT: &str = "KHR_materials_unlit";
+
 /// All materials of a file, in its order, and all pictures that they use, in its order.
 #[derive(Debug, Default)]
 pub(super) struct Surfaces {
@@ -118,16 +121,14 @@ fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Result
         warnings.note("emission that is not finite is left out", &name);
         emission = Vec3::ZERO;
     }
-    let unlit = json
-        .extensions
-        .as_ref()
-        .is_some_and(|extensions| extensions.others.contains_key("KHR_materials_unlit"));
+    let unlit = json.extensions.as_ref().is_some_and(|extensions| extensions.others.contains_key(UNLIT));
     Ok(Material {
         metallic: share(pbr.metallic_factor.0),
         roughness: share(pbr.roughness_factor.0),
         specular: share(specular),
         emission: emission.max(Vec3::ZERO),
         unlit,
+        casts: super::casts(&json.extras, &name, warnings).unwrap_or(true),
         base_colour,
         ..Material::plain(&name, 1.0, 1.0, 1.0)
     })
