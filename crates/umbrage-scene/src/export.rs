@@ -3,14 +3,14 @@
 //! Each mesh has one accessor for each attribute, which all its primitives share, and one primitive for each part: parts
 //! are small enough to be parts again. Instances, cameras and lights are nodes with matrices, side by side. Left out:
 //! meshes without triangles, their instances, and textures that no material uses. What glTF has no words for is in
-//! `extras.rs`.
+//! `extras.rs`. A scene whose origin lies elsewhere in its file hangs on nodes that move it there.
 
 mod bytes;
 mod pieces;
 
 use std::borrow::Cow;
 
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 use gltf::binary::{Glb, Header};
 use gltf::json::{Asset, Index, Mesh as JsonMesh, Node, Root, Scene as JsonScene};
 
@@ -29,7 +29,7 @@ pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
 }
 
 fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
-    let Scene { name, meshes, instances, materials, textures, cameras, lights, path } = scene;
+    let Scene { name, meshes, instances, materials, textures, cameras, lights, path, origin } = scene;
     let mut document = Document::new(Root {
         asset: Asset { generator: Some("umbrage".to_owned()), ..Asset::default() },
         ..Root::default()
@@ -47,7 +47,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
             return Err(Fault(format!("an instance of mesh {} of {}", instance.mesh, places.len())));
         };
         if let Some(mesh) = *place {
-            let extras = extras::of_motion(&instance.motion)?;
+            let extras = extras::of_motion(&instance.motion, *origin)?;
             nodes.push(Node { mesh: Some(mesh), extras, ..node(instance.world_from_mesh)? });
         }
     }
@@ -61,7 +61,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
     }
     for light in lights {
         let extensions = Some(pieces::add_light(&mut document, light)?);
-        let extras = extras::of_motion(&light.motion)?;
+        let extras = extras::of_motion(&light.motion, *origin)?;
         nodes.push(Node {
             extensions,
             extras,
@@ -70,7 +70,8 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         });
     }
     let nodes = nodes.into_iter().map(|node| document.root.push(node)).collect();
-    let extras = extras::of_path(path)?;
+    let nodes = at_origin(&mut document, nodes, *origin)?;
+    let extras = extras::of_scene(path, *origin, *origin != DVec3::ZERO || crate::import::would_move(scene))?;
     let index = document.root.push(JsonScene { name: Some(name.clone()), nodes, extensions: None, extras });
     document.root.scene = Some(index);
     pack(document)
@@ -82,6 +83,35 @@ fn node(world_from_node: Mat4) -> Result<Node, Fault> {
         return Err(Fault(format!("a matrix that is not finite, {world_from_node}")));
     }
     Ok(Node { matrix: Some(world_from_node.to_cols_array()), ..Node::default() })
+}
+
+/// Hangs nodes on others that together move them to the origin, exactly: glTF readers may keep only f32 of a
+/// translation, so one node has the first digits, and the next the rest.
+fn at_origin(
+    document: &mut Document,
+    mut nodes: Vec<Index<Node>>,
+    origin: DVec3,
+) -> Result<Vec<Index<Node>>, Fault> {
+    if !origin.is_finite() || origin.abs().max_element() > f64::from(f32::MAX) {
+        return Err(Fault(format!("the origin is {origin}, need numbers that f32 can hold")));
+    }
+    let mut rest = origin;
+    while rest != DVec3::ZERO && !nodes.is_empty() {
+        let digits = rest.as_vec3();
+        if digits == glam::Vec3::ZERO {
+            // Less than any f32 can say.
+            break;
+        }
+        rest -= digits.as_dvec3();
+        let node = Node {
+            name: Some("origin".to_owned()),
+            translation: Some(digits.to_array()),
+            children: Some(nodes),
+            ..Node::default()
+        };
+        nodes = vec![document.root.push(node)];
+    }
+    Ok(nodes)
 }
 
 /// Both chunks, with their headers.

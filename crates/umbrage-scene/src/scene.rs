@@ -1,6 +1,6 @@
 //! A world: what is in it, where it stands, how it moves, and where it is seen from.
 
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 
 use crate::{Aabb, Camera, CameraPath, Light, Material, Mesh, Motion, Texture};
 
@@ -24,6 +24,9 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// A flight through the world, for measurements over time.
     pub path: CameraPath,
+    /// Where the scene's own origin lies in the file's coordinates, in metres; zero where the scene lies around the
+    /// file's origin, which is the default. Everything else of the scene is measured from its own origin.
+    pub origin: DVec3,
 }
 
 /// An instance is a mesh placed in the world.

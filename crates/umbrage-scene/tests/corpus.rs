@@ -85,11 +85,13 @@ fn every_file_of_the_corpus_is_a_scene_or_one_line() {
     assert_eq!(
         good,
         [
+            "bad_face.obj",
             "data_uri.gltf",
             "fan.glb",
             "full.glb",
             "full.obj",
             "latin1.obj",
+            "nan.glb",
             "sparse_quantised.glb",
             "square.obj",
             "strip.glb"

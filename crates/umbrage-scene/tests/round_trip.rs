@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{DVec3, Mat4, Quat, Vec2, Vec3, Vec4};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use umbrage_scene::*;
@@ -44,6 +44,7 @@ fn bits(scene: &Scene) -> Vec<String> {
         bits.push(format!("light {name:?} {} {colour} {kind:?} {movement}", matrix(world_from_light)));
     }
     bits.extend(scene.path.keys.iter().map(|key| vector(&key.eye) + &vector(&key.target)));
+    bits.push(format!("origin {}", scene.origin));
     bits
 }
 
@@ -177,6 +178,7 @@ fn scene() -> impl Strategy<Value = Scene> {
             path: CameraPath {
                 keys: path.into_iter().map(|(eye, target)| PathKey { eye, target }).collect(),
             },
+            origin: DVec3::ZERO,
         },
     )
 }

@@ -11,6 +11,8 @@ pub struct Doc {
     /// The primitives of the only mesh.
     pub primitives: String,
     pub nodes: String,
+    /// Further buffers, each with a comma before it.
+    pub buffers: String,
     /// Further members of the document, each with a comma before it.
     pub rest: String,
 }
@@ -27,6 +29,7 @@ impl Doc {
             accessors: Vec::new(),
             primitives: r#"{"attributes": {"POSITION": 0}}"#.to_owned(),
             nodes: r#"{"mesh": 0}"#.to_owned(),
+            buffers: String::new(),
             rest: String::new(),
         };
         doc.accessor(&floats(&CORNERS), "", r#""count": 3, "componentType": 5126, "type": "VEC3""#);
@@ -50,10 +53,10 @@ impl Doc {
     }
 
     pub fn json(&self) -> String {
-        let Self { binary, views, accessors, primitives, nodes, rest } = self;
+        let Self { binary, views, accessors, primitives, nodes, buffers, rest } = self;
         let (views, accessors, length) = (views.join(", "), accessors.join(", "), binary.len());
         format!(
-            r#"{{"asset": {{"version": "2.0"}}, "buffers": [{{"byteLength": {length}}}],
+            r#"{{"asset": {{"version": "2.0"}}, "buffers": [{{"byteLength": {length}}}{buffers}],
             "bufferViews": [{views}], "accessors": [{accessors}], "meshes": [{{"primitives": [{primitives}]}}],
             "nodes": [{nodes}]{rest}}}"#
         )
