@@ -18,6 +18,9 @@ use self::bytes::Document;
 use crate::error::{Fault, SceneError};
 use crate::{Scene, extras};
 
+/// So many f32 have all digits of an f64, and more.
+const MOST_DIGITS: usize = 4;
+
 /// Writes a scene as the bytes of a `.glb` file.
 ///
 /// # Errors
@@ -95,23 +98,36 @@ fn at_origin(
     if !origin.is_finite() || origin.abs().max_element() > f64::from(f32::MAX) {
         return Err(Fault(format!("the origin is {origin}, need numbers that f32 can hold")));
     }
+    // The outermost node has the first digits, so that a reader that takes the origin away is left with the rest, and with
+    // nothing in the end.
+    let mut digits = Vec::new();
     let mut rest = origin;
-    while rest != DVec3::ZERO && !nodes.is_empty() {
-        let digits = rest.as_vec3();
-        if digits == glam::Vec3::ZERO {
-            // Less than any f32 can say.
-            break;
+    while rest != DVec3::ZERO && digits.len() < MOST_DIGITS {
+        let first = rest.to_array().map(|x| x as f32);
+        for axis in 0..3 {
+            rest[axis] -= as_read(first[axis])?;
         }
-        rest -= digits.as_dvec3();
+        digits.push(first);
+    }
+    if nodes.is_empty() {
+        return Ok(nodes);
+    }
+    for translation in digits.into_iter().rev() {
         let node = Node {
             name: Some("origin".to_owned()),
-            translation: Some(digits.to_array()),
+            translation: Some(translation),
             children: Some(nodes),
             ..Node::default()
         };
         nodes = vec![document.root.push(node)];
     }
     Ok(nodes)
+}
+
+/// What a reader in f64 makes of the text of a number: the text is only as long as f32 needs.
+fn as_read(number: f32) -> Result<f64, Fault> {
+    let text = gltf::json::serialize::to_string(&number).map_err(|why| Fault(why.to_string()))?;
+    text.parse().map_err(|why| Fault(format!("{text} is no number, {why}")))
 }
 
 /// Both chunks, with their headers.

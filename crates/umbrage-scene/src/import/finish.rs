@@ -47,8 +47,10 @@ pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), F
                 .note("the camera that is added looks past what stands far from most of the scene", &subject);
         }
         let mut camera = camera_that_sees(most);
-        // What lies far behind is not cut off.
-        camera.far = camera.far.max(if most == bounds { 0.0 } else { farthest(&camera, bounds) });
+        if most != bounds {
+            // What lies far behind is not cut off, nor by rounding.
+            camera.far = camera.far.max(1.001 * farthest(&camera, bounds));
+        }
         scene.cameras.push(camera);
     }
     for camera in &mut scene.cameras {

@@ -48,7 +48,8 @@ pub(super) fn origin(boxes: &[Extent]) -> DVec3 {
         return DVec3::ZERO;
     }
     let step = power_of_two_below(most.radius().max(away * f64::EPSILON));
-    (most.centre() / step).round() * step
+    // Zeros without a sign.
+    (most.centre() / step).round() * step + DVec3::ZERO
 }
 
 /// Moves the origin of a mesh to its vertices, where they are far from it and it matters. Every corner of a triangle moves
