@@ -87,7 +87,7 @@ async function main() {
     vertex: { module: castModule, buffers: VERTICES },
     primitive: { cullMode: casters.cull_mode, unclippedDepth: casters.unclipped_depth },
     depthStencil: {
-      format: maps.format, depthWriteEnabled: true, depthCompare: "less",
+      format: maps.format, depthWriteEnabled: true, depthCompare: casters.depth_compare,
       depthBias: casters.depth_bias, depthBiasSlopeScale: casters.depth_bias_slope_scale,
     },
   });
@@ -112,7 +112,7 @@ async function main() {
     drawn.add(layer);
     const pass = encoder.beginRenderPass({
       colorAttachments: [],
-      depthStencilAttachment: { view, depthLoadOp, depthClearValue: 1, depthStoreOp: "store" },
+      depthStencilAttachment: { view, depthLoadOp, depthClearValue: casters.depth_clear, depthStoreOp: "store" },
     });
     pass.setPipeline(castPipeline);
     pass.setViewport(x, y, size, size, 0, 1);

@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 
 use base64::Engine as _;
 use clap::ValueEnum as _;
+use glam::DVec3;
 use serde::Serialize;
-use umbrage::shaders::FrameBytes;
+use umbrage::shaders::{FrameBytes, Surroundings};
 use umbrage::{CasterFaces, DepthFormat, Filter, LightKind, MapLayout, Rays, Settings, ShadowPlan};
 
 use crate::binding_json::BindingJson;
@@ -112,10 +113,13 @@ struct Sampler {
     min_filter: &'static str,
 }
 
-/// What the pipelines that draw casters are set to. A tile is cleared to 1, and nearer depths replace farther ones.
+/// What the pipelines that draw casters are set to. Depth is reversed: a tile is cleared to 0, and nearer depths, which are
+/// greater, replace farther ones.
 #[derive(Serialize)]
 struct Casters {
     cull_mode: &'static str,
+    depth_compare: &'static str,
+    depth_clear: f32,
     depth_bias: i32,
     depth_bias_slope_scale: f32,
     unclipped_depth: bool,
@@ -131,10 +135,10 @@ struct View {
     depths: [f32; 2],
     near_metres: f32,
     depth_metres: f32,
-    /// Whether depth is stored as 1 / d falls, as it does where rays spread from a point.
+    /// Whether depth is stored as 1 / d, as it is where rays spread from a point.
     spreads: bool,
-    /// What a warp scales stored depth by, at x and y of NDC, is 1 / dot(this, (x, y, 1)).
-    inverse_weight: [f32; 3],
+    /// What a warp scales stored depth by, at x and y of NDC, is dot(this, (x, y, 1)).
+    depth_scale: [f32; 3],
     /// Planes (a, b, c, d) around what may cast into this view: inside, a x + b y + c z + d ≥ 0. `null` where nothing may.
     casters: Option<Vec<[f32; 4]>>,
 }
@@ -153,6 +157,8 @@ impl<'a> PlanJson<'a> {
         let (settings, layout) = (plan.settings(), plan.layout());
         let map_size = [layout.width, layout.height];
         let mut frame = FrameBytes::default();
+        // Who reads this gives positions in world space.
+        let surroundings = Surroundings { map_size, picture_size: picture, origin: DVec3::ZERO };
         let bindings = Stage::value_variants().iter().filter_map(|stage| {
             let bindings = stages.bindings(*stage)?;
             Some((*stage, bindings.iter().map(BindingJson::from).collect()))
@@ -170,7 +176,7 @@ impl<'a> PlanJson<'a> {
             casters: casters(settings),
             views: plan.views().iter().map(view).collect(),
             bindings: bindings.collect(),
-            frame: base64::prelude::BASE64_STANDARD.encode(frame.write(plan, settings, map_size, picture)),
+            frame: base64::prelude::BASE64_STANDARD.encode(frame.write(plan, settings, &surroundings)),
             storage_factor,
             min_storage_factor,
             texels: layout.texels(),
@@ -219,7 +225,7 @@ fn maps(layout: MapLayout, filter: &Filter) -> Maps {
         DepthFormat::U16 => "depth16unorm",
     };
     let mode = if matches!(filter, Filter::Hard {}) { "nearest" } else { "linear" };
-    let compare_sampler = Sampler { compare: "less-equal", mag_filter: mode, min_filter: mode };
+    let compare_sampler = Sampler { compare: "greater-equal", mag_filter: mode, min_filter: mode };
     Maps { width, height, layers, format, compare_sampler }
 }
 
@@ -230,8 +236,10 @@ fn casters(settings: &Settings) -> Casters {
             CasterFaces::Front => "back",
             CasterFaces::Back => "front",
         },
-        depth_bias: settings.bias.raster_constant,
-        depth_bias_slope_scale: settings.bias.raster_slope,
+        depth_compare: "greater-equal",
+        depth_clear: 0.0,
+        depth_bias: -settings.bias.raster_constant,
+        depth_bias_slope_scale: -settings.bias.raster_slope,
         unclipped_depth: settings.flattens_casters(),
     }
 }
@@ -243,13 +251,13 @@ fn view(view: &umbrage::ShadowView) -> View {
         light: view.light,
         split: view.split,
         tile: Tile { layer, x, y, size },
-        clip_from_world: rows(&view.clip_from_world),
+        clip_from_world: rows(&view.clip_from_world.as_mat4()),
         texel_metres: view.texel_metres,
         depths: [view.depths.start, view.depths.end],
         near_metres: view.near_metres,
         depth_metres: view.depth_metres,
-        spreads: view.rays == Rays::FromApex,
-        inverse_weight: view.inverse_weight.to_array(),
+        spreads: matches!(view.rays, Rays::FromApex { .. }),
+        depth_scale: view.depth_scale.to_array(),
         casters: (!view.casters.is_empty()).then(|| view.casters.planes().iter().map(plane).collect()),
     }
 }

@@ -70,13 +70,13 @@ fn plan_json_tells_a_foreign_renderer_everything() {
     );
     let maps = &plan["maps"];
     assert_eq!((&maps["layers"], &maps["format"]), (&1.into(), &"depth32float".into()));
-    assert_eq!(maps["compare_sampler"]["compare"], "less-equal");
+    assert_eq!(maps["compare_sampler"]["compare"], "greater-equal");
     assert_eq!(plan["casters"]["cull_mode"], "none");
     for view in plan["views"].as_array().expect("views") {
         let tile = ["layer", "x", "y", "size"].map(|key| view["tile"][key].as_u64().expect("whole"));
         assert!(tile[1] + tile[3] <= maps["width"].as_u64().expect("whole"), "{tile:?}");
         assert!(view["spreads"] == true && view["near_metres"].as_f64() > Some(0.0), "{view}");
-        assert_eq!(view["inverse_weight"].as_array().map(Vec::len), Some(3));
+        assert_eq!(view["depth_scale"].as_array().map(Vec::len), Some(3));
         let planes = view["casters"].as_array().expect("planes");
         assert!(planes.iter().all(|plane| plane.as_array().is_some_and(|p| p.len() == 4)), "{view}");
     }

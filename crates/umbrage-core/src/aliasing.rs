@@ -104,7 +104,7 @@ impl ShadowView {
         normal: DVec3,
     ) -> Option<TexelExtent> {
         let resolution = f64::from(self.tile.size);
-        texel_extent(camera, width, height, &self.clip_from_world.as_dmat4(), resolution, position, normal)
+        texel_extent(camera, width, height, &self.clip_from_world, resolution, position, normal)
     }
 
     /// Returns the same without the receiver's tilt: see [`perspective_texel_extent`].
@@ -116,14 +116,7 @@ impl ShadowView {
         position: DVec3,
     ) -> Option<TexelExtent> {
         let resolution = f64::from(self.tile.size);
-        perspective_texel_extent(
-            camera,
-            width,
-            height,
-            &self.clip_from_world.as_dmat4(),
-            resolution,
-            position,
-        )
+        perspective_texel_extent(camera, width, height, &self.clip_from_world, resolution, position)
     }
 }
 

@@ -81,12 +81,16 @@ impl Settings {
     /// Mirrors `umbrage_gradient` of the shaders.
     pub fn reference_gradient(&self, texel_basis: &TexelBasis, normal: Vec3, to_light: Vec3) -> Vec2 {
         match self.compare_depth() {
-            CompareDepth::Plane => texel_basis.slope(normal, to_light, self.filter.steepest_plane()),
-            CompareDepth::Facing => texel_basis.slope(to_light, to_light, self.filter.steepest_plane()),
+            CompareDepth::Plane => texel_basis.slope(normal, to_light, STEEPEST_PLANE),
+            CompareDepth::Facing => texel_basis.slope(to_light, to_light, STEEPEST_PLANE),
             CompareDepth::Own => Vec2::ZERO,
         }
     }
 }
+
+/// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 89.94°. There
+/// the normals that shaders find, of positions in f32, are off by as much as the plane is from edge-on.
+pub const STEEPEST_PLANE: f32 = 1000.0;
 
 /// Rasterisers round corners to a grid of 256 steps a texel: stored depth may be that of a place so many texels away.
 pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
@@ -95,11 +99,10 @@ pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
     // The smaller the texel, the more of them a width in metres is, up to its limit.
     let offset_texels = f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE));
-    let corner = std::f64::consts::SQRT_2 * f64::from(filter.plane_reach_texels());
     Reach {
         lookup_texels: std::f64::consts::SQRT_2 * (f64::from(filter.reach_texels()) + offset_texels),
         plane_depth_texels: if bias.receiver_plane {
-            corner * f64::from(filter.steepest_plane())
+            std::f64::consts::SQRT_2 * f64::from(filter.plane_depth_texels())
         } else {
             0.0
         },
@@ -107,6 +110,6 @@ pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
         constant: f64::from(bias.constant),
         slope: f64::from(bias.slope),
         slope_limit: f64::from(bias.slope_limit),
-        raster_texels: 2.0 * f64::from(RASTER_STEP_TEXELS * filter.steepest_plane()),
+        raster_texels: 2.0 * f64::from(RASTER_STEP_TEXELS * STEEPEST_PLANE),
     }
 }

@@ -25,6 +25,17 @@ impl Bounds {
     pub fn of_world(min: Vec3, max: Vec3) -> Self {
         Self { world: Aabb { min, max }, objects: Vec::new() }
     }
+
+    /// Returns the distance from a point to the nearest box, metres; 0 within a box, and infinite where there is none.
+    pub(crate) fn distance_from(&self, point: DVec3) -> f64 {
+        let objects = if self.objects.is_empty() { std::slice::from_ref(&self.world) } else { &self.objects };
+        let boxes = objects.iter().filter(|aabb| !aabb.is_empty());
+        let squares = boxes.map(|aabb| {
+            let (min, max) = (aabb.min.as_dvec3(), aabb.max.as_dvec3());
+            (min - point).max(point - max).max(DVec3::ZERO).length_squared()
+        });
+        squares.fold(f64::INFINITY, f64::min).sqrt()
+    }
 }
 
 impl Aabb {

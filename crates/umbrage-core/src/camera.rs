@@ -109,6 +109,24 @@ impl Camera {
         self.world_from_view.inverse()
     }
 
+    /// Returns the same camera in a world whose origin is moved to `origin`: what it sees there is what it saw.
+    #[must_use]
+    pub fn relative_to(&self, origin: DVec3) -> Self {
+        let eye = (self.eye().as_dvec3() - origin).as_vec3();
+        Self { world_from_view: Mat4 { w_axis: eye.extend(1.0), ..self.world_from_view }, ..*self }
+    }
+
+    /// Returns the point of the world that positions on the GPU should be relative to, so that f32 is fine enough for what
+    /// this camera sees: the world's origin where that is near, and else the corner of a lattice near the eye.
+    ///
+    /// The lattice's step is the power of two at 1024 times [`Self::near`]. A position is then rounded by at most
+    /// 0.0001 × near where the eye can be close to it, which is a fraction of a pixel; and as the origin moves in whole steps,
+    /// and seldom, what is drawn from two neighbouring eyes is rounded alike.
+    pub fn local_origin(&self) -> DVec3 {
+        let step = (1024.0 * f64::from(self.near)).log2().floor().exp2();
+        (self.eye().as_dvec3() / step).round() * step
+    }
+
     /// How the camera projects.
     pub fn projection(&self) -> Projection {
         self.projection

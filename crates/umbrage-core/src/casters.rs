@@ -34,8 +34,9 @@ impl CasterPolicy {
         match self {
             Self::BeforeReceivers if is_plain && !input.is_shared => {
                 // Beside a receiver, whatever lies before its plane may shadow it, however deep that is there.
-                let texels = input.reach.lookup_texels + input.reach.plane_depth_texels;
-                ConvexVolume::swept_to_light(region.receivers, &projection.space, texels * texel_metres)
+                let [around, behind] = [input.reach.lookup_texels, input.reach.plane_depth_texels]
+                    .map(|texels| texels * texel_metres);
+                ConvexVolume::swept_to_light(region.receivers, &projection.space, around, behind)
             }
             Self::BeforeReceivers | Self::OverMap | Self::WholeWorld => {
                 ConvexVolume::over_map(projection.rows())

@@ -74,17 +74,22 @@ impl ConvexVolume {
         let _fits = self.planes.try_push(plane);
     }
 
-    /// Everything between `receivers` and the light, `receivers` included, and `reach` metres around it.
-    pub(crate) fn swept_to_light(receivers: &ConvexBody, light: &LightSpace, reach: f64) -> Self {
+    /// Everything between `receivers` and the light, `receivers` included, with `around` metres beside it and `behind` metres
+    /// farther along the light.
+    pub(crate) fn swept_to_light(
+        receivers: &ConvexBody,
+        light: &LightSpace,
+        around: f64,
+        behind: f64,
+    ) -> Self {
         if receivers.is_empty() {
             return Self::empty();
         }
         let size = receivers.corners().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-        let same = MARGIN * size.max(1.0);
-        let margin = same + reach;
+        let same = MARGIN * size;
         let mut volume = Self::default();
         for plane in receivers.planes().filter(|plane| plane.normal.dot(light.axis) < -1e-6) {
-            volume.add(plane.widened(margin));
+            volume.add(plane.widened(same + around - behind * plane.normal.dot(light.axis)));
         }
         let outline = outline(receivers.corners().map(|p| light.to_light(p).truncate()), same);
         for (i, &a) in outline.iter().enumerate() {
@@ -93,7 +98,7 @@ impl ConvexVolume {
             let Some(left) = edge.perp().try_normalize() else { continue };
             let normal = light.right * left.x + light.up * left.y;
             let through = light.right * a.x + light.up * a.y;
-            volume.add(PlaneF64::through(through, normal).widened(margin));
+            volume.add(PlaneF64::through(through, normal).widened(same + around));
         }
         volume
     }
@@ -102,12 +107,12 @@ impl ConvexVolume {
     /// are those of its clip matrix.
     pub(crate) fn over_map(rows: [DVec4; 4]) -> Self {
         let [x, y, z, w] = rows;
-        let planes = [w + x, w - x, w + y, w - y, w - z].map(|row| {
+        let planes = [w + x, w - x, w + y, w - y, z].map(|row| {
             let length = row.truncate().length();
             PlaneF64 { normal: row.truncate() / length, distance: row.w / length }
         });
         let usable = || planes.iter().filter(|plane| plane.normal.is_finite() && plane.distance.is_finite());
-        let size = usable().map(|plane| plane.distance.abs()).fold(1.0, f64::max);
+        let size = usable().map(|plane| plane.distance.abs()).fold(0.0, f64::max);
         let mut volume = Self::default();
         usable().for_each(|plane| volume.add(plane.widened(MARGIN * size)));
         volume
@@ -139,7 +144,7 @@ mod tests {
     fn a_box_swept_up_to_a_sun_overhead_is_an_endless_column() {
         let light = LightSpace::new(DVec3::NEG_Y, DVec3::Z);
         let body = ConvexBody::of_box(DVec3::ZERO, DVec3::ONE);
-        let volume = ConvexVolume::swept_to_light(&body, &light, 0.0);
+        let volume = ConvexVolume::swept_to_light(&body, &light, 0.0, 0.0);
         assert!(volume.contains(Vec3::new(0.5, 1000.0, 0.5)), "far above");
         assert!(volume.contains(Vec3::new(0.5, 0.5, 0.5)), "inside");
         assert!(!volume.contains(Vec3::new(0.5, -0.1, 0.5)), "below");
@@ -153,6 +158,7 @@ mod tests {
         let volume = ConvexVolume::swept_to_light(
             &ConvexBody::default(),
             &LightSpace::new(DVec3::NEG_Y, DVec3::Z),
+            1.0,
             1.0,
         );
         assert!(volume.is_empty() && !volume.contains(Vec3::ZERO), "empty");

@@ -5,7 +5,6 @@
 use std::ops::Range;
 
 use crate::light_frustum::LightFrustum;
-use crate::light_projection::MIN_SIZE;
 use crate::receivers::ViewInput;
 use crate::space::LightSpace;
 
@@ -38,16 +37,18 @@ impl DepthRange {
             near = near.min(of_world(input, space).start - margin);
         }
         if let LightFrustum::FromApex(pyramid) = &input.light_frustum {
-            near = near.max(pyramid.min_near());
+            near = near.max(pyramid.min_near);
         }
-        near..(receivers.end + margin).max(near + MIN_SIZE)
+        near..(receivers.end + margin).max(near + input.min_size())
     }
 }
 
 /// How far a map must begin and end from its receivers, metres: casters that are flattened onto the near plane must stay
 /// before every receiver, whatever its bias.
 pub(crate) fn margin(input: &ViewInput<'_>, texel_metres: f64, receivers: &Range<f64>) -> f64 {
-    input.reach.toward_light_metres(texel_metres) + MIN_SIZE + 1e-3 * (receivers.end - receivers.start)
+    input.reach.toward_light_metres(texel_metres)
+        + input.min_size()
+        + 1e-3 * (receivers.end - receivers.start)
 }
 
 /// Where the world begins and ends along the light's axis.

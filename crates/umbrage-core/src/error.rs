@@ -59,6 +59,8 @@ pub enum LightError {
     HalfAngle(f32),
     /// The range is not positive, metres.
     Range(f32),
+    /// The distance at which casters begin is negative or not finite, metres.
+    Near(f32),
     /// The size is negative, or more than a light can have: radians of a sun, metres of a punctual light.
     Size(f32),
 }
@@ -77,6 +79,9 @@ impl fmt::Display for LightError {
                 write!(f, "a spot's whole angle must lie between 0 and 180 degrees, got {whole} degrees")
             }
             Self::Range(range) => write!(f, "a light's range must be positive, got {range} m"),
+            Self::Near(near) => {
+                write!(f, "a light's near distance must be finite and not negative, got {near} m")
+            }
             Self::Size(size) => write!(
                 f,
                 "a light's size must be 0 or more, in radians up to π for a sun and in metres for a spot or a point light, got {size}"

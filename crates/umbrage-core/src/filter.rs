@@ -63,6 +63,7 @@ mod taps;
 mod technique;
 
 use self::technique::Technique;
+use crate::bias::STEEPEST_PLANE;
 use crate::error::SettingsError;
 use crate::lookup::place::Query;
 use crate::lookup::reader::Reader;
@@ -250,21 +251,21 @@ impl Filter {
         self.ask(|technique| technique.plane_reach_texels())
     }
 
-    /// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 40 (88.6°)
-    /// where a lookup stays near, and 8 (83°) where it reaches far, since maps need as much room around it. Measured: less
-    /// leaves acne on walls along the light.
-    pub fn steepest_plane(&self) -> f32 {
-        /// A plane is followed at least that many texels deep, from the receiver to where a lookup ends.
+    /// How far toward the light, or away from it, the planes of most receivers lie from them within a lookup's reach, texels:
+    /// maps have so much room before their receivers, and casters so far behind them are drawn. What little light grazes
+    /// planes that are steeper, up to [`STEEPEST_PLANE`](crate::STEEPEST_PLANE), is compared with what there is.
+    pub(crate) fn plane_depth_texels(&self) -> f32 {
+        /// 88.6° where a lookup stays near, and 83° where it reaches far.
         const DEEPEST_TEXELS: f32 = 40.0;
-        (DEEPEST_TEXELS / self.plane_reach_texels().max(1.0)).clamp(8.0, 40.0)
+        let reach = self.plane_reach_texels();
+        reach * (DEEPEST_TEXELS / reach.max(1.0)).clamp(8.0, 40.0)
     }
 
     /// The numbers that a receiver's shader is compiled with for this filter: how far lookups reach, and the filter's own.
     pub fn numbers(&self) -> Vec<ShaderNumber> {
         let reaches = [
             ShaderNumber::f32("UMBRAGE_FILTER_REACH", self.reach_texels()),
-            ShaderNumber::f32("UMBRAGE_PLANE_REACH", self.plane_reach_texels()),
-            ShaderNumber::f32("UMBRAGE_STEEPEST_PLANE", self.steepest_plane()),
+            ShaderNumber::f32("UMBRAGE_STEEPEST_PLANE", STEEPEST_PLANE),
         ];
         reaches.into_iter().chain(self.ask(|technique| technique.numbers())).collect()
     }

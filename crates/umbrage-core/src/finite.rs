@@ -12,6 +12,13 @@ pub(crate) fn finite_vector(vector: DVec3) -> Vec3 {
     Vec3::from_array(vector.to_array().map(finite_or_zero))
 }
 
+/// As [`finite_matrix`], in f64.
+pub(crate) fn finite_f64(matrix: DMat4) -> DMat4 {
+    let most = f64::from(f32::MAX);
+    let finite = |entry: f64| if entry.is_nan() { 0.0 } else { entry.clamp(-most, most) };
+    DMat4::from_cols_array(&matrix.to_cols_array().map(finite))
+}
+
 /// As [`finite_vector`]. Entries beyond f32 become its largest: such a map is useless, but not NaN.
 pub(crate) fn finite_matrix(matrix: DMat4) -> Mat4 {
     Mat4::from_cols_array(&matrix.to_cols_array().map(finite_or_zero))

@@ -7,7 +7,7 @@
 //!
 //! Conventions: world space is right-handed, metres, Y up. View space looks down −Z; *view depth* is the positive
 //! distance from the eye along the view direction. NDC is x, y in −1…1 with y up and z in 0…1; texture v points down.
-//! The camera's depth is reversed (1 near, 0 far), shadow maps are forward (0 near). Matrices are named
+//! Depth is reversed, the camera's and that of shadow maps: 1 near, 0 far. Matrices are named
 //! `target_from_source` and multiply column vectors. Visibility is 1 for lit and 0 for shadowed.
 //!
 //! This crate does not: draw, allocate textures, know a shading language, load scenes, or choose your light.
@@ -57,7 +57,7 @@ pub use aliasing::{
     perspective_error, perspective_texel_extent, storage_factor, texel_extent,
 };
 pub use allocation::{Allocation, MapLayout, Tile};
-pub use bias::{BiasMetres, CompareDepth, RASTER_STEP_TEXELS};
+pub use bias::{BiasMetres, CompareDepth, RASTER_STEP_TEXELS, STEEPEST_PLANE};
 pub use bounds::{Aabb, Bounds};
 pub use camera::{Camera, Projection};
 pub use change::{CasterKey, Change, MapsKey, ReceiverKey};

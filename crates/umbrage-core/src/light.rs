@@ -11,6 +11,7 @@ pub struct Light {
     kind: LightKind,
     resolution: Option<u32>,
     size: Option<f32>,
+    near: f32,
 }
 
 /// Where a light's rays come from, in world space.
@@ -77,7 +78,7 @@ impl Light {
     }
 
     fn of(kind: LightKind) -> Self {
-        Self { kind, resolution: None, size: None }
+        Self { kind, resolution: None, size: None, near: 0.0 }
     }
 
     /// Returns the same light with tiles of `texels` a side, instead of the settings' `resolution`.
@@ -101,6 +102,24 @@ impl Light {
         } else {
             Err(LightError::Size(size))
         }
+    }
+
+    /// Returns the same punctual light within a bulb: nothing nearer to it than `metres`, measured along the axis of its views,
+    /// casts its shadow. It changes nothing of a sun.
+    ///
+    /// # Errors
+    /// When it is negative or not finite.
+    pub fn with_near(self, metres: f32) -> Result<Self, LightError> {
+        if (0.0..=f32::MAX).contains(&metres) {
+            Ok(Self { near: metres, ..self })
+        } else {
+            Err(LightError::Near(metres))
+        }
+    }
+
+    /// How near to a punctual light nothing casts, metres; 0 unless [`Self::with_near`] has said more.
+    pub fn near(&self) -> f32 {
+        self.near
     }
 
     /// Where the light's rays come from.

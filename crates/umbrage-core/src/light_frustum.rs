@@ -4,6 +4,7 @@ use glam::{DVec3, Vec3};
 
 use crate::bounds::Bounds;
 use crate::plane::PlaneF64;
+use crate::settings::DepthFormat;
 use crate::space::LightSpace;
 
 /// The rays that one view may hold.
@@ -26,12 +27,38 @@ pub(crate) struct Pyramid {
     pub half_side: f64,
     /// How deep it is along its axis, metres: as the light and the world reach, finite.
     pub reach: f64,
+    /// The distance along the axis at which its map may begin, metres.
+    pub min_near: f64,
     /// Whether it is a face of a cube: such maps must meet, so they never fit themselves to less.
     pub is_face: bool,
 }
 
-/// A map from an apex begins no nearer than this share of its reach: depth there falls with the square of the distance.
-const MIN_NEAR_SHARE: f64 = 1.0 / 2000.0;
+/// Where a punctual light begins and ends, and how finely its maps store what lies between.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Limits {
+    /// How far the light reaches, metres; may be infinite.
+    pub range: f32,
+    /// Nothing nearer to the light than this casts, metres.
+    pub near: f32,
+    pub depth: DepthFormat,
+}
+
+impl Limits {
+    /// The distance along the axis of a pyramid at which a map may begin, metres.
+    ///
+    /// A float is as fine, as a share of the distance, wherever a reversed map begins: it may begin nearer than anything is. A
+    /// whole number is finest near the light, so its map begins at what is nearest, or at the 2000th part of the reach
+    /// where the light stands within a box.
+    fn min_near(&self, apex: DVec3, half_side: f64, reach: f64, bounds: &Bounds) -> f64 {
+        let casters = match self.depth {
+            DepthFormat::F32 => 1e-7 * reach,
+            // On the axis the corners of the pyramid are nearer than they are.
+            DepthFormat::U16 => (bounds.distance_from(apex) / (1.0 + 2.0 * half_side * half_side).sqrt())
+                .clamp(reach / 2000.0, 0.5 * reach),
+        };
+        casters.max(f64::from(self.near).min(0.5 * reach))
+    }
+}
 
 /// The axes of a cube's faces. A receiver's face is the one of the largest part of its direction.
 const FACE_AXES: [DVec3; 6] = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
@@ -61,28 +88,25 @@ impl LightFrustum {
 
 impl Pyramid {
     /// The pyramid around a spot's cone.
-    pub fn spot(position: Vec3, direction: Vec3, half_angle: f32, range: f32, bounds: &Bounds) -> Self {
+    pub fn spot(position: Vec3, direction: Vec3, half_angle: f32, limits: Limits, bounds: &Bounds) -> Self {
         let axis = direction.as_dvec3().normalize_or(DVec3::NEG_Y);
-        Self::new(position.as_dvec3(), axis, f64::from(half_angle).tan(), range, bounds)
+        Self::new(position.as_dvec3(), axis, f64::from(half_angle).tan(), limits, bounds)
     }
 
     /// A face of a point light's cube, from 0 to 5. It is `padding` times as wide as the face: lookups reach over its
     /// edge, and so many texels around it belong to the neighbours' rays.
-    pub fn face(position: Vec3, face: usize, padding: f64, range: f32, bounds: &Bounds) -> Self {
+    pub fn face(position: Vec3, face: usize, padding: f64, limits: Limits, bounds: &Bounds) -> Self {
         let axis = FACE_AXES[face % FACE_AXES.len()];
-        Self { is_face: true, ..Self::new(position.as_dvec3(), axis, padding, range, bounds) }
+        Self { is_face: true, ..Self::new(position.as_dvec3(), axis, padding, limits, bounds) }
     }
 
-    fn new(apex: DVec3, axis: DVec3, half_side: f64, range: f32, bounds: &Bounds) -> Self {
+    fn new(apex: DVec3, axis: DVec3, half_side: f64, limits: Limits, bounds: &Bounds) -> Self {
         let depths = bounds.world.corners_f64().map(|corner| axis.dot(corner - apex));
         let farthest = depths.into_iter().filter(|depth| depth.is_finite()).fold(0.0, f64::max);
-        let reach = f64::from(range).min(farthest).max(1e-3);
-        Self { apex, axis, half_side, reach, is_face: false }
-    }
-
-    /// The minimum distance along the axis at which its map may begin, metres.
-    pub fn min_near(&self) -> f64 {
-        self.reach * MIN_NEAR_SHARE
+        // A light that reaches nothing has a map all the same, of any size.
+        let reach = f64::from(limits.range).min(if farthest > 0.0 { farthest } else { 1.0 });
+        let min_near = limits.min_near(apex, half_side, reach, bounds);
+        Self { apex, axis, half_side, reach, min_near, is_face: false }
     }
 
     /// The planes of its sides, its base and its nearest depth, with normals inward.
@@ -95,7 +119,7 @@ impl Pyramid {
             side(-right),
             side(up),
             side(-up),
-            PlaneF64::through(self.apex + axis * self.min_near(), axis),
+            PlaneF64::through(self.apex + axis * self.min_near, axis),
             PlaneF64::through(self.apex + axis * self.reach, -axis),
         ]
     }

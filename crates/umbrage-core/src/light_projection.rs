@@ -1,7 +1,11 @@
 //! The matrix of a map: from world space to the clip space of one view.
 //!
-//! x and y come from light space, through the homography of the map's plane, to −1…1 over the rectangle. Depth is 0…1 and
-//! linear in light-space z along every ray; a warp scales it by a factor that is constant along each ray.
+//! x and y come from light space, through the homography of the map's plane, to −1…1 over the rectangle. Depth is reversed,
+//! 1 on the near plane and 0 on the far one, and linear in light-space z along every ray; a warp scales it by a factor that
+//! is constant along each ray.
+//!
+//! Reversed, since a float is finest near 0: light-space z of a punctual light is −1 / d, and the step from one float to the
+//! next is then the same share of d at every distance, wherever the near plane lies. Near 1 it would grow with d² / near.
 
 use std::ops::Range;
 
@@ -9,9 +13,6 @@ use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use crate::homography::Homography;
 use crate::space::LightSpace;
-
-/// Maps are at least this large and this deep, so that no matrix is singular, metres.
-pub(crate) const MIN_SIZE: f64 = 1e-3;
 
 /// How a map is projected.
 pub(crate) struct LightProjection {
@@ -37,7 +38,8 @@ impl LightProjection {
         });
         let crop = |row: DVec4, low: f64, high: f64| (row * 2.0 - weight * (high + low)) / (high - low);
         let (near, far) = (space.z_at(depths.start), space.z_at(depths.end));
-        [crop(u, min.x, max.x), crop(v, min.y, max.y), (z - w * near) / (far - near), weight]
+        let reversed = (w * far - z) / (far - near);
+        [crop(u, min.x, max.x), crop(v, min.y, max.y), reversed / self.greatest_scale(), weight]
     }
 
     /// The clip matrix.
@@ -46,9 +48,19 @@ impl LightProjection {
         DMat4::from_cols(x, y, z, w).transpose()
     }
 
-    /// The inverse of the factor by which the warp scales depth, as a linear function of NDC: see
-    /// [`crate::ShadowView::inverse_weight`]. A homography's weight is that of its inverse, which is linear on the map.
-    pub fn inverse_weight(&self) -> DVec3 {
+    /// The factor by which the warp scales depth, as a linear function of NDC: see [`crate::ShadowView::depth_scale`].
+    pub fn depth_scale(&self) -> DVec3 {
+        self.inverse_weight() / self.greatest_scale()
+    }
+
+    /// The greatest inverse weight on the map: depth is divided by it, so that no near plane lies beyond 1.
+    fn greatest_scale(&self) -> f64 {
+        let DVec3 { x, y, z } = self.inverse_weight();
+        x.abs() + y.abs() + z
+    }
+
+    /// The inverse of the homography's weight as a linear function of NDC: it is the weight of the inverse homography.
+    fn inverse_weight(&self) -> DVec3 {
         let (centre, half) = ((self.min + self.max) * 0.5, (self.max - self.min) * 0.5);
         // From NDC to the warped plane, and back.
         let to_plane = DMat3::from_cols(DVec3::X * half.x, DVec3::Y * half.y, centre.extend(1.0));
@@ -70,7 +82,7 @@ mod tests {
 
     #[test]
     fn the_tutorials_sun_gives_v5() {
-        // lightInvDir (0.5, 2, 2), looking at the origin from there, ortho ±10 and −10…20 ahead of it.
+        // Its depth is not reversed. lightInvDir (0.5, 2, 2), looking at the origin from there, ortho ±10 and −10…20 ahead of it.
         let to_light = DVec3::new(0.5, 2.0, 2.0);
         let space = LightSpace::new(-to_light.normalize_or_zero(), DVec3::Y);
         let start = space.to_light(to_light).z;
@@ -82,11 +94,11 @@ mod tests {
             depths: start - 10.0..start + 20.0,
         };
         for (world, wanted) in [
-            (Vec3::ZERO, Vec3::new(0.5, 0.5, 0.429076044)),
-            (Vec3::X, Vec3::new(0.548507125, 0.508444007, 0.423273456)),
-            (Vec3::Y, Vec3::new(0.5, 0.464112972, 0.40586569)),
-            (Vec3::Z, Vec3::new(0.487873219, 0.533776026, 0.40586569)),
-            (Vec3::new(3.0, -2.0, 5.0), Vec3::new(0.584887469, 0.765986208, 0.342037216)),
+            (Vec3::ZERO, Vec3::new(0.5, 0.5, 1.0 - 0.429076044)),
+            (Vec3::X, Vec3::new(0.548507125, 0.508444007, 1.0 - 0.423273456)),
+            (Vec3::Y, Vec3::new(0.5, 0.464112972, 1.0 - 0.40586569)),
+            (Vec3::Z, Vec3::new(0.487873219, 0.533776026, 1.0 - 0.40586569)),
+            (Vec3::new(3.0, -2.0, 5.0), Vec3::new(0.584887469, 0.765986208, 1.0 - 0.342037216)),
         ] {
             let got = uvz(&projection, world);
             assert!((got - wanted).abs().max_element() < 1e-6, "{world}: {got}, not {wanted}");
@@ -107,10 +119,10 @@ mod tests {
             depths: 2.0..50.0,
         };
         for (world, wanted) in [
-            (Vec3::ZERO, Vec3::new(0.5, 0.5, 0.96913431)),
-            (Vec3::X, Vec3::new(0.541019876, 0.507140644, 0.96869204)),
-            (Vec3::Y, Vec3::new(0.5, 0.469086778, 0.967332264)),
-            (Vec3::Z, Vec3::new(0.489553945, 0.529094797, 0.967332264)),
+            (Vec3::ZERO, Vec3::new(0.5, 0.5, 1.0 - 0.96913431)),
+            (Vec3::X, Vec3::new(0.541019876, 0.507140644, 1.0 - 0.96869204)),
+            (Vec3::Y, Vec3::new(0.5, 0.469086778, 1.0 - 0.967332264)),
+            (Vec3::Z, Vec3::new(0.489553945, 0.529094797, 1.0 - 0.967332264)),
         ] {
             let got = uvz(&projection, world);
             assert!((got - wanted).abs().max_element() < 1e-6, "{world}: {got}, not {wanted}");

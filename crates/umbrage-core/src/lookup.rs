@@ -74,7 +74,7 @@ impl Lookup<'_> {
     fn read(&self, view: &ShadowView, place: &Place, query: &Query) -> f32 {
         let size = Vec2::splat(view.tile.size as f32);
         let outside = place.texel.cmplt(Vec2::ZERO).any() || place.texel.cmpgt(size).any();
-        if outside || place.compare_depth > 1.0 {
+        if outside || place.compare_depth < 0.0 {
             return 1.0;
         }
         self.filter(view, place, query)

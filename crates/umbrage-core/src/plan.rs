@@ -14,11 +14,11 @@ use crate::bounds::{Aabb, Bounds};
 use crate::camera::Camera;
 use crate::cull::ConvexVolume;
 use crate::error::PlanError;
-use crate::finite::{finite, finite_matrix, finite_vector};
+use crate::finite::{finite, finite_f64, finite_vector};
 use crate::fit::Fit;
 use crate::fit::outline::Outline;
 use crate::light::{FACES, Light, LightKind};
-use crate::light_frustum::{LightFrustum, Pyramid};
+use crate::light_frustum::{LightFrustum, Limits, Pyramid};
 use crate::light_projection::LightProjection;
 use crate::reach::Reach;
 use crate::receivers::{Receivers, ViewInput};
@@ -106,13 +106,14 @@ impl ShadowPlan {
     /// The views of one light over these view depths.
     fn add_light(&mut self, frame: &Frame<'_>, index: usize, light: &Light, depths: Range<f32>) {
         let bounds = frame.bounds;
+        let limits = |range| Limits { range, near: light.near(), depth: frame.settings.depth };
         match light.kind() {
             LightKind::Directional { direction } => {
                 let splits = self.splits.clone();
                 self.add_splits(frame, index, LightFrustum::sun(direction), &splits);
             }
             LightKind::Spot { position, direction, half_angle, range } => {
-                let pyramid = Pyramid::spot(position, direction, half_angle, range, bounds);
+                let pyramid = Pyramid::spot(position, direction, half_angle, limits(range), bounds);
                 let splits = spot_splits(frame.camera, &pyramid, depths, frame.settings);
                 self.add_splits(frame, index, LightFrustum::FromApex(pyramid), &splits);
             }
@@ -120,8 +121,8 @@ impl ShadowPlan {
                 let all = f64::from(depths.start)..f64::from(depths.end);
                 for face in 0..FACES as usize {
                     let padding = frame.reach.padding(self.allocation.tiles_of(index)[face].size);
-                    let light_frustum =
-                        LightFrustum::FromApex(Pyramid::face(position, face, padding, range, bounds));
+                    let pyramid = Pyramid::face(position, face, padding, limits(range), bounds);
+                    let light_frustum = LightFrustum::FromApex(pyramid);
                     self.add_view(frame, index, face, light_frustum, all.clone(), all.clone());
                 }
             }
@@ -152,7 +153,9 @@ impl ShadowPlan {
         let index = self.views.len();
         let tile = self.allocation.tiles()[index];
         let place = Place { index, light, split, tile, depths: served.start as f32..served.end as f32 };
-        let input = frame.input(fitted, light_frustum, tile.size);
+        let mut input = frame.input(fitted, light_frustum, tile.size);
+        // What is flattened casts; what lies within a bulb does not.
+        input.flattens_casters &= self.lights[light].near() == 0.0;
         let Settings { fit, warp, .. } = *frame.settings;
         self.views.push(shadow_view(fitted_map(fit, warp, &input, &mut self.outline), place));
     }
@@ -248,7 +251,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
     ShadowView {
         index,
         key: None,
-        clip_from_world: finite_matrix(projection.clip_from_world()),
+        clip_from_world: finite_f64(projection.clip_from_world()),
         casters,
         light,
         split,
@@ -257,7 +260,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
         depth_metres: finite(projection.depths.end - projection.depths.start),
         near_metres: finite(projection.depths.start),
         rays: projection.space.rays(),
-        inverse_weight: finite_vector(projection.inverse_weight()),
+        depth_scale: finite_vector(projection.depth_scale()),
         tile,
         unclipped_depth,
     }

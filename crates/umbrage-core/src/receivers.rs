@@ -29,6 +29,11 @@ impl ViewInput<'_> {
     pub fn padding(&self) -> f64 {
         self.reach.padding(self.resolution)
     }
+
+    /// Maps are at least this large and this deep, so that no matrix is singular: a share of what the slice reaches, metres.
+    pub fn min_size(&self) -> f64 {
+        1e-5 * self.depths.end
+    }
 }
 
 /// The part of the world in which a view's receivers lie.

@@ -4,7 +4,7 @@
 
 use glam::DVec2;
 
-use crate::light_projection::MIN_SIZE;
+use crate::receivers::ViewInput;
 use crate::space::LightSpace;
 
 /// A rectangle of the map's plane.
@@ -19,11 +19,11 @@ pub(crate) struct Rectangle {
 /// Half a side of the smallest rectangle in the light space of a punctual light, as a tangent.
 const MIN_TANGENT: f64 = 1e-6;
 
-/// A rectangle `padding` times as large about its middle.
-pub(crate) fn padded(space: &LightSpace, min: DVec2, max: DVec2, padding: f64) -> (DVec2, DVec2) {
-    let min_half = if space.apex.is_some() { MIN_TANGENT } else { MIN_SIZE };
+/// A rectangle as much larger about its middle as the view's padding says.
+pub(crate) fn padded(input: &ViewInput<'_>, space: &LightSpace, min: DVec2, max: DVec2) -> (DVec2, DVec2) {
+    let min_half = if space.apex.is_some() { MIN_TANGENT } else { input.min_size() };
     let centre = (min + max) * 0.5;
-    let half = ((max - min) * 0.5).max(DVec2::splat(min_half)) * padding;
+    let half = ((max - min) * 0.5).max(DVec2::splat(min_half)) * input.padding();
     (centre - half, centre + half)
 }
 

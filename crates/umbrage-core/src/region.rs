@@ -57,7 +57,7 @@ impl Region<'_> {
             .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max): (DVec2, DVec2), p| {
                 (min.min(p), max.max(p))
             });
-        let (min, max) = padded(&self.space, min, max, input.padding());
+        let (min, max) = padded(input, &self.space, min, max);
         let texel = texel_sides(min, max, input.resolution);
         let largest = corners.iter().map(|corner| homography.texel_at(*corner, texel)).fold(0.0, f64::max);
         let texel_metres = if self.space.apex.is_some() { largest * self.depths.far() } else { largest };

@@ -23,13 +23,15 @@ pub(crate) struct LightSpace {
 }
 
 /// How the rays of one view run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rays {
     /// The rays are parallel, as a sun's: depth is stored evenly.
     Parallel,
-    /// The rays spread from an apex, as those of a spot or of a face of a point light's cube: depth is stored as 1 / d
-    /// falls.
-    FromApex,
+    /// The rays spread from an apex, as those of a spot or of a face of a point light's cube: depth is stored as 1 / d.
+    FromApex {
+        /// The apex, in world space.
+        apex: DVec3,
+    },
 }
 
 impl LightSpace {
@@ -52,7 +54,7 @@ impl LightSpace {
     pub fn rays(&self) -> Rays {
         match self.apex {
             None => Rays::Parallel,
-            Some(_) => Rays::FromApex,
+            Some(apex) => Rays::FromApex { apex },
         }
     }
 

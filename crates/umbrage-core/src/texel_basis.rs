@@ -8,7 +8,7 @@
 //!
 //! Mirrors `UmbrageTexelBasis` of the shaders, in f32 as they do.
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use crate::view::ShadowView;
 
@@ -28,9 +28,9 @@ pub struct TexelBasis {
 impl ShadowView {
     /// Returns how its texels lie at a point of the world, which must lie before the light.
     pub fn texel_basis_at(&self, point: Vec3) -> TexelBasis {
-        let m = &self.clip_from_world;
+        let m = self.clip_from_local(DVec3::ZERO);
         let [x, y, z, w] = [0, 1, 2, 3].map(|i| m.row(i));
-        let clip = *m * point.extend(1.0);
+        let clip = m * (point - self.local_origin(DVec3::ZERO)).extend(1.0);
         let gradient =
             |row: glam::Vec4, value: f32| (row.truncate() - w.truncate() * (value / clip.w)) / clip.w;
         let half = 0.5 * self.tile.size as f32;
@@ -74,9 +74,9 @@ impl TexelBasis {
         texels * grown / (across * self.rise(to_light)).max(f32::MIN_POSITIVE)
     }
 
-    /// Returns how much stored depth falls a metre toward the light, in its unit direction.
+    /// Returns how much stored depth grows a metre toward the light, in its unit direction.
     pub fn rise(&self, to_light: Vec3) -> f32 {
-        -self.depth.dot(to_light)
+        self.depth.dot(to_light)
     }
 
     /// Returns how much stored depth grows on a plane from a texel to the next, to the right and downward. `normal` and `to_light`

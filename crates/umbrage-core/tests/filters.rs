@@ -55,8 +55,7 @@ fn a_shader_is_told_each_number_once_and_every_reach() {
         assert_eq!(names.len(), numbers.len(), "{filter:?}: {names:?}");
         for (name, reach) in [
             ("UMBRAGE_FILTER_REACH", filter.reach_texels()),
-            ("UMBRAGE_PLANE_REACH", filter.plane_reach_texels()),
-            ("UMBRAGE_STEEPEST_PLANE", filter.steepest_plane()),
+            ("UMBRAGE_STEEPEST_PLANE", umbrage_core::STEEPEST_PLANE),
         ] {
             let said = numbers.iter().find(|number| number.name == name).map(|number| &number.value);
             assert_eq!(said, Some(&ShaderValue::F32(reach)), "{filter:?}: {name}");

@@ -64,7 +64,7 @@ proptest! {
             let up = view.any_orthonormal_vector();
             let camera = Camera::looking(eye, eye + view, up, projection, 0.5, 200.0).unwrap();
             let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
-            let now: Vec<_> = plan.views().iter().map(|v| (v.clip_from_world, v.texel_metres)).collect();
+            let now: Vec<_> = plan.views().iter().map(|v| (v.clip_from_world.as_mat4(), v.texel_metres)).collect();
             let first = first.get_or_insert_with(|| now.clone());
             for (before, after) in first.iter().zip(&now) {
                 prop_assert_eq!(before.1, after.1, "texels change size");

@@ -82,7 +82,7 @@ impl Read {
         let (position, normal) = (receiver.position.as_vec3(), receiver.normal.as_vec3());
         let view = umbrage::view_of(plan, settings, light, position, normal)?;
         let camera: &Camera = plan.camera();
-        let ndc = view.clip_from_world.as_dmat4().project_point3(receiver.position);
+        let ndc = view.clip_from_world.project_point3(receiver.position);
         let texel = |ndc: f64| ((0.5 + 0.5 * ndc) * f64::from(view.tile.size)).floor() as i64;
         Some(Self {
             texel: [view.index as i64, texel(ndc.x), texel(-ndc.y)],

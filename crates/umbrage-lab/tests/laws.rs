@@ -71,7 +71,7 @@ fn frame(camera: &Camera, width: u32) -> Frame {
 /// The angle of the map's texels to the x axis, degrees, and their size.
 fn texels(plan: &ShadowPlan) -> (f32, f32) {
     let view = &plan.views()[0];
-    let right = view.clip_from_world.row(0).truncate();
+    let right = view.clip_from_world.row(0).truncate().as_vec3();
     (right.z.atan2(right.x).to_degrees().rem_euclid(90.0), view.texel_metres)
 }
 

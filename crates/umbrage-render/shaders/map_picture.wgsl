@@ -21,14 +21,14 @@ struct Look {
 @group(0) @binding(3) var<storage, read_write> drawn: array<atomic<u32>, 2>;
 @group(0) @binding(4) var picture: texture_storage_2d<rgba8unorm, write>;
 
-/// The depth at a texel of the tile, 0 near to 1 far or empty.
+/// The depth at a texel of the tile, 0 near to 1 far or empty: what is stored is reversed.
 fn depth_at(texel: vec2u) -> f32 {
     let view = umbrage_frame.views[look.view];
     let stored = textureLoad(maps, vec2u(view.tile_origin) + texel, view.layer, 0);
-    if look.even == 1u && stored < 1.0 {
+    if look.even == 1u && stored > 0.0 {
         return clamp(umbrage_linear_depth(look.view, vec2f(texel) + 0.5, stored), 0.0, 1.0);
     }
-    return stored;
+    return 1.0 - stored;
 }
 
 @compute @workgroup_size(8, 8)

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use glam::DVec3;
 use umbrage::{Camera, ShadowPlan};
 
 use crate::buffers::Growing;
@@ -42,6 +43,8 @@ pub struct Rendered {
 pub(crate) struct Planned {
     pub plan: ShadowPlan,
     pub camera: Camera,
+    /// What positions on the device are relative to, in world space.
+    pub origin: DVec3,
     pub lights: Vec<FrameLight>,
     pub seconds: f32,
     pub size: [u32; 2],

@@ -1,8 +1,10 @@
-//! Where a scene's instances stand, on the device. Renderers beside each other share it, so it knows its own time.
+//! Where a scene's instances stand, on the device, relative to an origin near the eye. Renderers beside each other share it, so
+//! it knows its own time and origin.
 
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+use glam::{DVec3, Mat4};
 use umbrage_scene::Instance;
 
 use crate::buffers::{READ, binding, filled};
@@ -14,9 +16,9 @@ use crate::gpu::Gpu;
 pub(crate) struct Placement {
     /// What is placed, in the buffer's order.
     pub instances: Vec<Instance>,
-    /// `world_from_mesh` of every instance.
+    /// `world_from_mesh` of every instance, relative to the origin.
     pub buffer: wgpu::Buffer,
-    /// Runs of instances that move; all others are written once.
+    /// Runs of instances that move; all others are written when the origin changes.
     moving: Vec<Range<usize>>,
     now: Mutex<Now>,
 }
@@ -25,6 +27,7 @@ pub(crate) struct Placement {
 #[derive(Debug)]
 struct Now {
     seconds: f32,
+    origin: DVec3,
     /// Room for the matrices of a run.
     matrices: Vec<[f32; 16]>,
 }
@@ -39,7 +42,7 @@ impl Placement {
             instances: instances.to_vec(),
             buffer: filled(gpu, "instances", bytes, wgpu::BufferUsages::STORAGE)?,
             moving: runs(instances),
-            now: Mutex::new(Now { seconds: 0.0, matrices }),
+            now: Mutex::new(Now { seconds: 0.0, origin: DVec3::ZERO, matrices }),
         })
     }
 
@@ -48,23 +51,36 @@ impl Placement {
         binding(READ)
     }
 
-    /// Writes where the instances that move stand at a time, unless they are there.
-    pub fn move_to(&self, gpu: &Gpu, seconds: f32) {
+    /// Writes where the instances stand at a time, relative to `origin`, as far as they do not stand there.
+    pub fn move_to(&self, gpu: &Gpu, origin: DVec3, seconds: f32) {
         // Whoever died here left matrices that are written anew at another time.
         let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
-        let Now { seconds: then, matrices } = &mut *now;
-        if *then == seconds {
+        let is_at_origin = now.origin == origin;
+        if is_at_origin && now.seconds == seconds {
             return;
         }
-        *then = seconds;
-        for run in &self.moving {
-            matrices.clear();
-            let moved = self.instances[run.clone()].iter().map(|of| of.world_from_mesh_at(seconds));
-            matrices.extend(moved.map(|matrix| matrix.to_cols_array()));
-            let offset = (run.start * size_of::<[f32; 16]>()) as u64;
-            gpu.queue.write_buffer(&self.buffer, offset, bytemuck::cast_slice(matrices));
+        (now.origin, now.seconds) = (origin, seconds);
+        if is_at_origin {
+            self.moving.iter().for_each(|run| self.write(gpu, &mut now, run));
+        } else {
+            self.write(gpu, &mut now, &(0..self.instances.len()));
         }
     }
+
+    fn write(&self, gpu: &Gpu, now: &mut Now, run: &Range<usize>) {
+        let Now { seconds, origin, matrices } = now;
+        matrices.clear();
+        let moved = self.instances[run.clone()].iter().map(|of| of.world_from_mesh_at(*seconds));
+        matrices.extend(moved.map(|matrix| relative(matrix, *origin).to_cols_array()));
+        let offset = (run.start * size_of::<[f32; 16]>()) as u64;
+        gpu.queue.write_buffer(&self.buffer, offset, bytemuck::cast_slice(matrices));
+    }
+}
+
+/// The same placement relative to `origin`.
+fn relative(world_from_mesh: Mat4, origin: DVec3) -> Mat4 {
+    let place = world_from_mesh.w_axis.truncate().as_dvec3() - origin;
+    Mat4 { w_axis: place.as_vec3().extend(1.0), ..world_from_mesh }
 }
 
 /// The ranges of neighbours that move.
@@ -81,7 +97,7 @@ fn runs(instances: &[Instance]) -> Vec<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use glam::{Mat4, Vec3};
+    use glam::Vec3;
     use umbrage_scene::Motion;
 
     use super::*;

@@ -219,13 +219,15 @@ impl Renderer {
     fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
         let Self { gpu, scene, parts, shadows, lights, .. } = self;
-        scene.placement.move_to(gpu, frame.seconds);
+        let origin = frame.camera.local_origin();
+        scene.placement.move_to(gpu, origin, frame.seconds);
         parts.move_to(&scene.placement.instances, frame.seconds);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
         let make = || {
             Ok(Planned {
                 plan: shadows.plan(planned_for, lights, parts.bounds())?,
                 camera: frame.camera,
+                origin,
                 lights: Vec::new(),
                 seconds: 0.0,
                 size: [0, 0],
@@ -240,7 +242,7 @@ impl Renderer {
         let cull_parts = self.cull_parts;
         let fill = |planned: &mut Planned| {
             shadows.replan(&mut planned.plan, planned_for, lights, parts.bounds())?;
-            planned.camera = frame.camera;
+            (planned.camera, planned.origin) = (frame.camera, origin);
             planned.lights.clone_from(&frame.lights);
             planned.seconds = frame.seconds;
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
@@ -252,6 +254,7 @@ impl Renderer {
         };
         let planned = self.plans.filled(make, fill)?;
         self.shadows.set_picture_size(frame.width, frame.height);
+        self.shadows.set_origin(origin);
         self.shadows.upload(&self.gpu.queue, &planned.plan)?;
         Ok(planned)
     }
@@ -299,7 +302,7 @@ impl Renderer {
         target: Arc<Target>,
     ) -> Result<Drawn, RenderError> {
         // A renderer beside this one may have moved the scene.
-        self.scene.placement.move_to(&self.gpu, planned.seconds);
+        self.scene.placement.move_to(&self.gpu, planned.origin, planned.seconds);
         let mut encoder = self.gpu.encoder("Renderer::shading");
         let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
         self.shading.record(inputs, &mut encoder, &self.timer, &planned, show, &target)?;

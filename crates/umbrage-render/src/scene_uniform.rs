@@ -1,7 +1,7 @@
 //! What all passes over the scene read, as group 0: `shaders/scene.wgsl`.
 
 use encase::{ShaderType, UniformBuffer};
-use glam::{Mat4, UVec2, Vec3, Vec4};
+use glam::{DVec3, Mat4, UVec2, Vec3, Vec4};
 use umbrage::{Camera, LightKind, MAX_LIGHTS};
 
 use crate::buffers::{binding, filled};
@@ -51,6 +51,8 @@ pub(crate) struct SceneUniform {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
     pub camera: &'a Camera,
+    /// What positions on the device are relative to, in world space.
+    pub origin: DVec3,
     pub lights: &'a [FrameLight],
     /// The width and height of the picture, pixels.
     pub size: [u32; 2],
@@ -83,11 +85,12 @@ impl SceneUniform {
 }
 
 fn gpu_scene(view: &View<'_>) -> GpuScene {
-    let View { camera, lights: of, size, shown_light } = *view;
+    let View { camera, origin, lights: of, size, shown_light } = *view;
+    let camera = camera.relative_to(origin);
     let clip_from_world = camera.clip_from_world();
     let mut lights = [GpuLight::default(); MAX_LIGHTS];
     for (slot, light) in lights.iter_mut().zip(of) {
-        *slot = gpu_light(light);
+        *slot = gpu_light(light, origin);
     }
     let sun = of.iter().find(|light| matches!(light.light.kind(), LightKind::Directional { .. }));
     GpuScene {
@@ -104,7 +107,8 @@ fn gpu_scene(view: &View<'_>) -> GpuScene {
     }
 }
 
-fn gpu_light(light: &FrameLight) -> GpuLight {
+fn gpu_light(light: &FrameLight, origin: DVec3) -> GpuLight {
+    let place = |position: Vec3| (position.as_dvec3() - origin).as_vec3().extend(1.0);
     let FrameLight { light, colour, cone: [inner, outer] } = *light;
     let everywhere = GpuLight { colour, cone_scale: 0.0, cone_offset: 1.0, ..GpuLight::default() };
     match light.kind() {
@@ -112,7 +116,7 @@ fn gpu_light(light: &FrameLight) -> GpuLight {
             // As KHR_lights_punctual has it.
             let cone_scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);
             GpuLight {
-                place: position.extend(1.0),
+                place: place(position),
                 axis: direction,
                 range,
                 cone_scale,
@@ -120,7 +124,7 @@ fn gpu_light(light: &FrameLight) -> GpuLight {
                 ..everywhere
             }
         }
-        LightKind::Point { position, range } => GpuLight { place: position.extend(1.0), range, ..everywhere },
+        LightKind::Point { position, range } => GpuLight { place: place(position), range, ..everywhere },
         LightKind::Directional { direction } => GpuLight { place: (-direction).extend(0.0), ..everywhere },
     }
 }
@@ -151,6 +155,6 @@ mod tests {
     fn gpu_scene_of_nothing() -> GpuScene {
         let projection = umbrage::Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
         let camera = Camera::new(Mat4::IDENTITY, projection, 0.1, 10.0).unwrap();
-        gpu_scene(&View { camera: &camera, lights: &[], size: [1, 1], shown_light: 0 })
+        gpu_scene(&View { camera: &camera, origin: DVec3::ZERO, lights: &[], size: [1, 1], shown_light: 0 })
     }
 }

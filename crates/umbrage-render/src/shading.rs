@@ -93,9 +93,9 @@ impl Shading {
         show: &Show,
         target: &Target,
     ) -> Result<(), RenderError> {
-        let Planned { camera, lights, size, numbers, .. } = planned;
+        let Planned { camera, origin, lights, size, numbers, .. } = planned;
         let shown_light = if let Show::Visibility(light) = show { *light } else { 0 };
-        self.uniform.upload(gpu, &View { camera, lights, size: *size, shown_light })?;
+        self.uniform.upload(gpu, &View { camera, origin: *origin, lights, size: *size, shown_light })?;
         if let (Show::Given(visibility), Some(given)) = (show, &mut self.given) {
             given.upload(gpu, visibility)?;
         }
@@ -106,7 +106,7 @@ impl Shading {
             None | Some(Visibility::Unused | Visibility::Full | Visibility::Maps) => None,
             Some(Visibility::Given) => self.given.as_ref().map(|given| &given.group),
             Some(Visibility::MapsAndContact) => self.prepass.as_ref().map(|prepass| {
-                prepass.upload(gpu, camera);
+                prepass.upload(gpu, &camera.relative_to(*origin));
                 timer.pass(SHADE, encoder, |encoder, timestamps| {
                     prepass.record(encoder, timestamps, &self.uniform, scene, &numbers.buffer, draws);
                 });

@@ -47,7 +47,7 @@ fn a_map_picture_is_what_the_map_holds() {
         let drawn = renderer.render(&frame(&scene, Show::World)).expect("a frame").drawn;
         let tile = drawn.plan().views()[1].tile;
         let maps = renderer.maps(&drawn).expect("maps");
-        let stored = |x: u32, y: u32| maps.depth(tile, i64::from(x), i64::from(y));
+        let stored = |x: u32, y: u32| 1.0 - maps.depth(tile, i64::from(x), i64::from(y));
         let mut look = |look| read(&gpu, &renderer.map_picture(&drawn, 1, look, 256).expect("a picture"));
         let plain = look(MapLook::default());
         let inverted = look(MapLook { invert: true, ..MapLook::default() });

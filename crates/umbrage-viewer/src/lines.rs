@@ -40,7 +40,7 @@ pub fn of_plan(plan: &ShadowPlan, chosen: PlanLines, reach: f64) -> Vec<(usize, 
             sliced = Some(view.depths.clone());
         }
         if chosen.maps {
-            lines.extend(map_edges(&view.clip_from_world.as_dmat4()).map(|line| (view.split, line)));
+            lines.extend(map_edges(&view.clip_from_world).map(|line| (view.split, line)));
         }
         if chosen.casters {
             lines.extend(edges(&body(&view.casters, reach)).map(|line| (view.split, line)));

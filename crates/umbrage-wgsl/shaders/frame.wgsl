@@ -1,9 +1,12 @@
 // What every shader of a frame knows: the camera, the biases, the lights and their views. `src/frame.rs` writes it, and a test
 // holds that both lay it out alike.
+//
+// World-space positions are relative to the frame's origin: the world's own, or one near the eye that the host has chosen
+// so that f32 holds what lies around it.
 
 struct UmbrageView {
-    /// World space to the view's own clip space.
-    clip_from_world: mat4x4f,
+    /// The view's local space to its own clip space, with reversed depth: 1 near the light, 0 far from it.
+    clip_from_local: mat4x4f,
     /// Upper left corner of the tile, texels.
     tile_origin: vec2f,
     /// Side of the tile, texels.
@@ -20,9 +23,10 @@ struct UmbrageView {
     near_metres: f32,
     /// The kind of the view's light: a constant of `light.wgsl`.
     light_kind: u32,
-    /// A warp scales stored depth by a factor that is constant along each light ray; dot(this, (x, y, 1)) is its inverse at x,
-    /// y of NDC.
-    inverse_weight: vec3f,
+    /// A warp scales stored depth by a factor that is constant along each light ray: dot(this, (x, y, 1)) at x, y of NDC.
+    depth_scale: vec3f,
+    /// Where local space begins: at the apex of a punctual light, and at the origin for a sun. Its axes are the world's.
+    local_origin: vec3f,
 }
 
 struct UmbrageLight {
@@ -62,8 +66,9 @@ struct UmbrageFrame {
     bias_normal: f32,
     /// Cosine of the angle between normal and light up to which light fades in.
     terminator: f32,
-    /// How much a stored depth may differ from the one that was drawn.
+    /// How much the maps' format rounds a stored depth: an absolute step, and a share of what is rounded.
     depth_step: f32,
+    depth_rounding: f32,
     /// How far behind the first surface the stored depth may lie at most, where two surfaces are drawn, metres.
     depth_layer_limit: f32,
     /// The share of a slice's depth, or of a map's half width, over which views blend into each other.

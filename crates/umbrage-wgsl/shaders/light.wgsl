@@ -42,27 +42,36 @@ fn umbrage_face(light: u32, world_position: vec3f) -> u32 {
     return select(select(4u, 2u, is_y), 0u, is_x) + select(0u, 1u, part < 0.0);
 }
 
-/// From unwarped depth to linear depth in a view: 0 on the near plane and 1 on the far one. Parallel views store linear depth,
-/// others store how 1 / d falls.
+/// How much rounding may make of a stored depth and of the one that it is compared with. The depth of a parallel view is a sum
+/// whose terms are as large as its translation, that of others is a quotient.
+fn umbrage_depth_rounding(view_index: u32, stored: f32) -> f32 {
+    let translation = umbrage_frame.views[view_index].clip_from_local[3].z;
+    let is_sun = umbrage_frame.views[view_index].light_kind == UMBRAGE_LIGHT_SUN;
+    let rounded = select(abs(stored), 1.0 + abs(translation), is_sun);
+    return umbrage_frame.depth_step + umbrage_frame.depth_rounding * rounded;
+}
+
+/// From unwarped stored depth, 1 on the near plane and 0 on the far one, to linear depth in a view: 0 on the near plane and 1
+/// on the far one. Parallel views store depth evenly, others as 1 / d.
 fn umbrage_linear_of_unwarped(view_index: u32, unwarped: f32) -> f32 {
     if umbrage_frame.views[view_index].light_kind == UMBRAGE_LIGHT_SUN {
-        return unwarped;
+        return 1.0 - unwarped;
     }
     let near = umbrage_frame.views[view_index].near_metres;
     let depth = umbrage_frame.views[view_index].depth_metres;
-    return unwarped * near / (near + depth - unwarped * depth);
+    return (1.0 - unwarped) * near / (near + unwarped * depth);
 }
 
-/// How much stored depth grows a metre along the light where linear depth is `linear` and the warp's inverse `weight`.
-fn umbrage_stored_a_metre(view_index: u32, linear: f32, weight: f32) -> f32 {
+/// How much stored depth falls a metre along the light where linear depth is `linear` and the warp scales by `scale`.
+fn umbrage_stored_a_metre(view_index: u32, linear: f32, scale: f32) -> f32 {
     let deep = umbrage_frame.views[view_index].depth_metres;
     if umbrage_frame.views[view_index].light_kind == UMBRAGE_LIGHT_SUN {
-        return weight / deep;
+        return scale / deep;
     }
-    // Stored depth is (1 / near − 1 / d) / (1 / near − 1 / far).
+    // Stored depth is (1 / d − 1 / far) / (1 / near − 1 / far).
     let near = umbrage_frame.views[view_index].near_metres;
     let metres = near + linear * deep;
-    return weight * near * (near + deep) / (deep * metres * metres);
+    return scale * near * (near + deep) / (deep * metres * metres);
 }
 
 /// Radius of the disc on the map through which a light is seen past a blocker's edge, metres at the receiver. Depths are

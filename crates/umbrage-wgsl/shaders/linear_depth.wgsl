@@ -3,20 +3,19 @@
 import package::frame::umbrage_frame;
 import package::light::umbrage_linear_of_unwarped;
 
-/// The inverse of the factor by which a warp has scaled stored depth at a place of a tile, given in texels.
-fn umbrage_inverse_weight(view_index: u32, texel: vec2f) -> f32 {
+/// The factor by which a warp has scaled stored depth at a place of a tile, given in texels.
+fn umbrage_depth_scale(view_index: u32, texel: vec2f) -> f32 {
     let ndc = texel / umbrage_frame.views[view_index].tile_size * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0);
-    return dot(umbrage_frame.views[view_index].inverse_weight, vec3f(ndc, 1.0));
+    return dot(umbrage_frame.views[view_index].depth_scale, vec3f(ndc, 1.0));
 }
 
 /// How far along the light's axis a depth lies that is stored at a place of a tile, given in texels: 0 on the near plane, 1 on
 /// the far one, and linear between.
 fn umbrage_linear_depth(view_index: u32, texel: vec2f, stored: f32) -> f32 {
-    // Nothing was drawn. A warp would make a place of that: beside its receivers, and beyond its line at infinity, the far
-    // plane is not at 1.
-    if stored >= 1.0 {
+    // Nothing was drawn. A warp would make a place of that beyond its line at infinity.
+    if stored <= 0.0 {
         return 1.0;
     }
-    // A warped map also shows what lies behind its far plane. A punctual light would take that for something behind itself.
-    return umbrage_linear_of_unwarped(view_index, min(stored / umbrage_inverse_weight(view_index, texel), 1.0));
+    // What was flattened onto the near plane of a warped map lies before it.
+    return umbrage_linear_of_unwarped(view_index, min(stored / umbrage_depth_scale(view_index, texel), 1.0));
 }

@@ -1,14 +1,14 @@
 //! What shaders know of a frame, as bytes: the camera, the biases, the lights and their views. Mirrors `shaders/frame.wgsl`.
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
-use glam::{Mat4, Vec2, Vec3, Vec4};
+use glam::{DVec3, Mat4, Vec2, Vec3, Vec4};
 use umbrage_core::{Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan, ShadowView};
 
 use crate::shared::shared_with_shaders;
 
 shared_with_shaders! {
     struct View {
-        clip_from_world: Mat4,
+        clip_from_local: Mat4,
         tile_origin: Vec2,
         tile_size: f32,
         layer: i32,
@@ -18,7 +18,8 @@ shared_with_shaders! {
         depth_metres: f32,
         near_metres: f32,
         light_kind: u32,
-        inverse_weight: Vec3,
+        depth_scale: Vec3,
+        local_origin: Vec3,
     }
 }
 
@@ -50,6 +51,7 @@ shared_with_shaders! {
         bias_normal: f32,
         terminator: f32,
         depth_step: f32,
+        depth_rounding: f32,
         depth_layer_limit: f32,
         blend: f32,
         shade: u32,
@@ -59,6 +61,18 @@ shared_with_shaders! {
         #[shader(size(runtime))]
         views: Vec<View>,
     }
+}
+
+/// What a frame stands in, beside its plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surroundings {
+    /// The size of the maps' texture, texels.
+    pub map_size: [u32; 2],
+    /// The size of the camera's picture, pixels.
+    pub picture_size: [u32; 2],
+    /// The point of the world that shaders' positions are relative to: see
+    /// [`Camera::local_origin`](umbrage_core::Camera::local_origin).
+    pub origin: DVec3,
 }
 
 /// Writes frames into bytes that are kept from one frame to the next, so that none after the first allocates.
@@ -74,17 +88,10 @@ impl FrameBytes {
         Frame::min_size().get() + u64::from(views.max(1) - 1) * View::SHADER_SIZE.get()
     }
 
-    /// What a shader calls `umbrage_frame`, as bytes. `map_size` is that of the maps' texture, texels, and `picture_size` that of
-    /// the camera's picture, pixels.
-    pub fn write(
-        &mut self,
-        plan: &ShadowPlan,
-        settings: &Settings,
-        map_size: [u32; 2],
-        picture_size: [u32; 2],
-    ) -> &[u8] {
+    /// What a shader calls `umbrage_frame`, as bytes.
+    pub fn write(&mut self, plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings) -> &[u8] {
         let views = std::mem::take(&mut self.frame.views);
-        self.frame = frame(plan, settings, map_size, picture_size, views);
+        self.frame = frame(plan, settings, surroundings, views);
         let written = self.frame.size().get() as usize;
         match StorageBuffer::new(&mut self.bytes).write(&self.frame) {
             Ok(()) => &self.bytes[..written],
@@ -95,14 +102,9 @@ impl FrameBytes {
 }
 
 /// A frame, in the room that `views` has.
-fn frame(
-    plan: &ShadowPlan,
-    settings: &Settings,
-    map_size: [u32; 2],
-    picture_size: [u32; 2],
-    mut views: Vec<View>,
-) -> Frame {
-    let camera = plan.camera();
+fn frame(plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings, mut views: Vec<View>) -> Frame {
+    let Surroundings { map_size, picture_size, origin } = *surroundings;
+    let camera = plan.camera().relative_to(origin);
     let clip_from_world = camera.clip_from_world();
     let forward = camera.forward();
     let (shade, shadow_colour, darkness) = match settings.shade {
@@ -111,10 +113,10 @@ fn frame(
     };
     let mut lights = [FrameLight::default(); MAX_LIGHTS];
     for (slot, (i, of)) in lights.iter_mut().zip(plan.lights().iter().enumerate()) {
-        *slot = light(plan, settings, i, of);
+        *slot = light(plan, settings, origin, i, of);
     }
     views.clear();
-    views.extend(plan.views().iter().map(|of| view(plan, of)));
+    views.extend(plan.views().iter().map(|of| view(plan, origin, of)));
     Frame {
         depth_row: forward.extend(-forward.dot(camera.eye())),
         clip_x_row: clip_from_world.row(0),
@@ -131,6 +133,7 @@ fn frame(
         bias_normal: settings.bias.normal,
         terminator: settings.bias.terminator,
         depth_step: settings.depth.step(),
+        depth_rounding: settings.depth.rounding(),
         depth_layer_limit: settings.bias.depth_layer_limit,
         blend: settings.blend,
         shade,
@@ -158,10 +161,12 @@ fn sides([width, height]: [u32; 2]) -> Vec2 {
     Vec2::new(width as f32, height as f32)
 }
 
-fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) -> FrameLight {
+fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, light: &Light) -> FrameLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
     let place = match light.kind() {
-        LightKind::Spot { position, .. } | LightKind::Point { position, .. } => position,
+        LightKind::Spot { position, .. } | LightKind::Point { position, .. } => {
+            (position.as_dvec3() - origin).as_vec3()
+        }
         LightKind::Directional { direction } => -direction,
     };
     FrameLight {
@@ -173,9 +178,9 @@ fn light(plan: &ShadowPlan, settings: &Settings, index: usize, light: &Light) ->
     }
 }
 
-fn view(plan: &ShadowPlan, view: &ShadowView) -> View {
+fn view(plan: &ShadowPlan, origin: DVec3, view: &ShadowView) -> View {
     View {
-        clip_from_world: view.clip_from_world,
+        clip_from_local: view.clip_from_local(origin),
         tile_origin: Vec2::new(view.tile.x as f32, view.tile.y as f32),
         tile_size: view.tile.size as f32,
         layer: view.tile.layer as i32,
@@ -185,6 +190,7 @@ fn view(plan: &ShadowPlan, view: &ShadowView) -> View {
         depth_metres: view.depth_metres,
         near_metres: view.near_metres,
         light_kind: plan.lights().get(view.light).map_or(0, |light| kind_number(light.kind())),
-        inverse_weight: view.inverse_weight,
+        depth_scale: view.depth_scale,
+        local_origin: view.local_origin(origin),
     }
 }

@@ -38,7 +38,7 @@ pub use binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stag
 pub use contact_camera::{CONTACT_CAMERA_BYTES, contact_camera};
 pub use error::ImportError;
 pub use format::{MomentFormat, TexelFormat, TextureSupport};
-pub use frame::FrameBytes;
+pub use frame::{FrameBytes, Surroundings};
 pub use key::ShaderKey;
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{

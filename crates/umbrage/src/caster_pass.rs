@@ -64,11 +64,12 @@ pub(crate) fn pipeline(
         depth_stencil: Some(wgpu::DepthStencilState {
             format: texture_format(key.depth),
             depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::LessEqual),
+            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState {
-                constant: key.raster_constant,
-                slope_scale: key.raster_slope,
+                // Depth is reversed: what is deeper is less.
+                constant: -key.raster_constant,
+                slope_scale: -key.raster_slope,
                 clamp: 0.0,
             },
         }),

@@ -30,7 +30,8 @@ impl ContactShadows {
         Self { camera, layout }
     }
 
-    /// Tells the GPU from where the depth is seen.
+    /// Tells the GPU from where the depth is seen. With [`Shadows::set_origin`](crate::Shadows::set_origin), give it the camera
+    /// [relative to](Camera::relative_to) that origin.
     pub fn upload(&self, queue: &wgpu::Queue, camera: &Camera) {
         queue.write_buffer(&self.camera, 0, &contact_camera(camera));
     }

@@ -138,7 +138,7 @@ impl Maps {
         tile: Tile,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) -> wgpu::RenderPass<'e> {
-        let load = if self.is_whole_layer(tile) { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load };
+        let load = if self.is_whole_layer(tile) { wgpu::LoadOp::Clear(0.0) } else { wgpu::LoadOp::Load };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("Shadows::caster_pass"),
             color_attachments: &[],

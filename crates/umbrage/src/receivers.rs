@@ -85,7 +85,7 @@ impl Samplers {
             label: Some("Shadows::comparison_sampler"),
             mag_filter: mode,
             min_filter: mode,
-            compare: Some(wgpu::CompareFunction::LessEqual),
+            compare: Some(wgpu::CompareFunction::GreaterEqual),
             ..Default::default()
         });
         let smooth = objects.sampler(&wgpu::SamplerDescriptor {

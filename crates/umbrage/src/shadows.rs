@@ -3,10 +3,11 @@
 mod access;
 mod drawing;
 
+use glam::DVec3;
 use umbrage_core::{
     Allocation, Bounds, Camera, Light, PICTURE_SIZE, PlanError, Settings, ShadowPlan, ShadowView, plan,
 };
-use umbrage_wgsl::{FrameBytes, ShaderKey};
+use umbrage_wgsl::{FrameBytes, ShaderKey, Surroundings};
 
 use crate::capabilities::Capabilities;
 use crate::changed::Changed;
@@ -30,6 +31,8 @@ pub struct Shadows {
     parts: Parts,
     bytes: FrameBytes,
     picture_size: [u32; 2],
+    /// What shaders' positions are relative to.
+    origin: DVec3,
 }
 
 impl Shadows {
@@ -55,6 +58,7 @@ impl Shadows {
             parts,
             bytes: FrameBytes::default(),
             picture_size: PICTURE_SIZE,
+            origin: DVec3::ZERO,
         })
     }
 
@@ -165,13 +169,27 @@ impl Shadows {
         self.picture_size = [width.max(1), height.max(1)];
     }
 
+    /// Says which point of the world all positions on the GPU are relative to, before [`Self::upload`]: those that casters and
+    /// receivers give to the shaders. It is the world's origin until then, and positions are those of world space.
+    ///
+    /// A world of kilometres needs one near the eye, since f32 holds a position at 10 km to a millimetre and at 100 km to a
+    /// centimetre: [`Camera::local_origin`] gives one that moves seldom. Plans stay in world space.
+    pub fn set_origin(&mut self, origin: DVec3) {
+        self.origin = origin;
+    }
+
     /// Tells the GPU of a plan. Draw the plan's views after it, then [`Self::finish`], then shade.
     ///
     /// # Errors
     /// When the plan was made for other settings, or for other maps.
     pub fn upload(&mut self, queue: &wgpu::Queue, plan: &ShadowPlan) -> Result<(), ShadowError> {
         self.check_plan(plan)?;
-        let frame = self.bytes.write(plan, &self.settings, self.parts.maps.size(), self.picture_size);
+        let surroundings = Surroundings {
+            map_size: self.parts.maps.size(),
+            picture_size: self.picture_size,
+            origin: self.origin,
+        };
+        let frame = self.bytes.write(plan, &self.settings, &surroundings);
         queue.write_buffer(&self.parts.buffers.frame, 0, frame);
         Ok(())
     }

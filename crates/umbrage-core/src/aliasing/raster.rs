@@ -48,12 +48,12 @@ impl Raster {
         is_before.then(|| DMat2::from_cols_array(&[x.dot(a), y.dot(a), x.dot(b), y.dot(b)]))
     }
 
-    /// Unit direction to the light: x and y stay along it, and the depth that `depth` gives falls.
+    /// Unit direction to the light: x and y stay along it, and the reversed depth that `depth` gives grows.
     pub(super) fn direction_to_light(&self, depth: DVec4, position: DVec3) -> Option<DVec3> {
         let Self { x, y, w } = *self;
         let ray = gradient(x, w, position).cross(gradient(y, w, position));
-        let deeper = gradient(depth, w, position).dot(ray);
-        if deeper == 0.0 { None } else { (ray * -deeper.signum()).try_normalize() }
+        let nearer = gradient(depth, w, position).dot(ray);
+        if nearer == 0.0 { None } else { (ray * nearer.signum()).try_normalize() }
     }
 }
 

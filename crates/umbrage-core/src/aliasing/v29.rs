@@ -21,8 +21,8 @@ pub(super) fn light_from_world(eye: DVec3, view: DVec3, along: DVec3) -> DMat4 {
 
 /// The box from `min` to `max` to clip x, y −1…1 and depth 0…1.
 pub(super) fn clip_from_box(min: DVec3, max: DVec3) -> DMat4 {
-    let unit = DMat4::from_translation(DVec3::new(-1.0, -1.0, 0.0))
-        * DMat4::from_scale(DVec3::new(2.0, 2.0, 1.0) / (max - min));
+    let unit = DMat4::from_translation(DVec3::new(-1.0, -1.0, 1.0))
+        * DMat4::from_scale(DVec3::new(2.0, 2.0, -1.0) / (max - min));
     unit * DMat4::from_translation(-min)
 }
 

@@ -60,13 +60,14 @@ fn a_constant_in_metres_is_the_epsilon_of_dou() {
         let texel_basis = view.texel_basis_at(receiver);
         let ours =
             texel_basis.rise(to_light) * settings.bias_metres(&texel_basis, to_light, to_light).toward_light;
-        let z = view.clip_from_world.project_point3(receiver).z;
+        let z = 1.0 - view.clip_from_world.project_point3(receiver.as_dvec3()).z as f32;
         // Theirs is measured along the axis, ours along the ray.
         let s = 0.01 * -axis.dot(to_light);
         let epsilon = 0.5 * (1.0 - a - 2.0 * z).powi(2) * s / b;
         assert!((-ours / epsilon - 1.0).abs() < 1e-3, "{receiver}: −{ours}, not {epsilon}");
         // Not to first order, but as the matrix has it.
-        let moved = view.clip_from_world.project_point3(receiver + to_light * 0.01).z - z;
+        let nearer = (receiver + to_light * 0.01).as_dvec3();
+        let moved = 1.0 - view.clip_from_world.project_point3(nearer).z as f32 - z;
         assert!((moved / epsilon - 1.0).abs() < 0.01, "{receiver}: {moved}, not {epsilon}");
     }
 }
@@ -85,7 +86,7 @@ fn with(bias: Bias, filter: Filter) -> Settings {
 /// Texels of this side under a sun in the zenith.
 fn square_texels(side: f32) -> TexelBasis {
     let (view, _) = view(DVec3::NEG_Y);
-    let scaled = glam::Mat4::from_scale(Vec3::new(0.5 / side, 1.0, 0.25 / side));
+    let scaled = glam::DMat4::from_scale(Vec3::new(0.5 / side, 1.0, 0.25 / side).as_dvec3());
     ShadowView { clip_from_world: view.clip_from_world * scaled, ..view }.texel_basis_at(Vec3::ZERO)
 }
 
@@ -102,7 +103,7 @@ fn view(axis: DVec3) -> (ShadowView, LightSpace) {
     let view = ShadowView {
         index: 0,
         key: None,
-        clip_from_world: projection.clip_from_world().as_mat4(),
+        clip_from_world: projection.clip_from_world(),
         casters: ConvexVolume::default(),
         light: 0,
         split: 0,
@@ -111,7 +112,7 @@ fn view(axis: DVec3) -> (ShadowView, LightSpace) {
         depth_metres: 100.0,
         near_metres: -40.0,
         rays: Rays::Parallel,
-        inverse_weight: Vec3::Z,
+        depth_scale: Vec3::Z,
         tile: Tile { layer: 0, x: 0, y: 0, size: 128 },
         unclipped_depth: true,
     };
@@ -133,7 +134,7 @@ fn the_gradient_is_how_depth_changes_on_the_plane() {
             -axis.as_vec3(),
         );
         // Texels are half a metre by a quarter, and a unit of depth is 100 m.
-        let expected = Vec2::new(x as f32 * 0.5, y as f32 * -0.25) / 100.0;
+        let expected = Vec2::new(x as f32 * 0.5, y as f32 * -0.25) / -100.0;
         assert!((gradient - expected).length() < 1e-6, "{x}, {y}: {gradient}, not {expected}");
     }
 }

@@ -5,7 +5,6 @@ use glam::{DVec2, DVec3};
 
 use crate::casters::CasterPolicy;
 use crate::depth_range::{DepthRange, margin, of_world};
-use crate::light_projection::MIN_SIZE;
 use crate::receivers::{Receivers, ViewInput};
 use crate::rectangle::Rectangle;
 use crate::region::{Area, Region};
@@ -15,7 +14,7 @@ pub(super) fn region<'a>(input: &ViewInput<'_>, receivers: &'a Receivers) -> (Re
     // Axes from the light alone: a camera's up would turn the texels with the camera.
     let space = input.light_frustum.space(DVec3::Y);
     let sphere = bounding_sphere(input.camera, input.depths.clone());
-    let half = quantise_up(sphere.radius.max(MIN_SIZE)) * input.padding();
+    let half = quantise_up(sphere.radius.max(input.min_size())) * input.padding();
     let texel_metres = 2.0 * half / f64::from(input.resolution);
     let centre = input.camera.eye().as_dvec3() + input.camera.forward().as_dvec3() * sphere.depth;
     let centre = space.to_light(centre);

@@ -46,7 +46,7 @@ impl<'a> VisibleReceivers<'a> {
             forward,
             min_near: match &input.light_frustum {
                 LightFrustum::Parallel(_) => 0.0,
-                LightFrustum::FromApex(pyramid) => pyramid.min_near(),
+                LightFrustum::FromApex(pyramid) => pyramid.min_near,
             },
         }
     }
@@ -144,6 +144,7 @@ mod tests {
 
     use super::*;
     use crate::bias::reach;
+    use crate::light_frustum::Limits;
     use crate::light_frustum::Pyramid;
     use crate::{Bounds, Camera, Projection, Settings};
 
@@ -199,7 +200,8 @@ mod tests {
     #[test]
     fn the_apex_of_a_spot_and_what_is_behind_it_are_moved_before_it() {
         let (camera, bounds, direction) = v29();
-        let pyramid = Pyramid::spot(Vec3::new(5.0, 12.0, -30.0), direction, 0.5, 40.0, &bounds);
+        let limits = Limits { range: 40.0, near: 0.0, depth: crate::DepthFormat::F32 };
+        let pyramid = Pyramid::spot(Vec3::new(5.0, 12.0, -30.0), direction, 0.5, limits, &bounds);
         let input = input(&camera, &bounds, LightFrustum::FromApex(pyramid));
         let mut outline = Outline::default();
         let mut visible = VisibleReceivers::new(&input, &mut outline);

@@ -2,7 +2,7 @@
 
 use crate::allocation::{MapLayout, Tile};
 
-/// The texels of all shadow maps: depths from 0 near the light to 1.
+/// The texels of all shadow maps: depths from 1 near the light to 0 far from it, or where nothing was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapTexels {
     /// The texture that the tiles lie in.

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 pub struct Place {
     /// The place in texels from the tile's upper left corner.
     pub texel: Vec2,
-    /// The depth to compare with, as it is stored: 0 near the light, 1 far.
+    /// The depth to compare with, as it is stored: 1 near the light, 0 far.
     pub compare_depth: f32,
     /// How much that depth grows from a texel to the next, to the right and downward.
     pub gradient: Vec2,

@@ -5,6 +5,9 @@ use glam::{Mat2, Vec2};
 use super::place::{Place, Query};
 use crate::filter::light_size::LightSize;
 
+/// No receiver is nearer than this: see `UMBRAGE_NEAREST_COMPARED` of the shaders.
+const NEAREST_COMPARED: f32 = 0.9999;
+
 /// The tile of one view.
 pub(crate) trait Map {
     /// Texels a side.
@@ -62,8 +65,9 @@ impl Reader<'_> {
     pub fn lit(&self, corner: Vec2) -> f32 {
         let inside = corner.clamp(Vec2::ZERO, Vec2::splat((self.side() - 1) as f32));
         let Place { texel, compare_depth, gradient, .. } = self.place;
-        let compared = (compare_depth + gradient.dot(inside + 0.5 - texel)).min(1.0);
-        f32::from(u8::from(compared <= self.stored(inside)))
+        let plane = compare_depth + gradient.dot(inside + 0.5 - texel);
+        let compared = plane.clamp(0.0, compare_depth.max(NEAREST_COMPARED));
+        f32::from(u8::from(compared >= self.stored(inside)))
     }
 
     fn stored(&self, corner: Vec2) -> f32 {

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::place::Place;
-use crate::bias::RASTER_STEP_TEXELS;
+use crate::bias::{RASTER_STEP_TEXELS, STEEPEST_PLANE};
 use crate::light::LightKind;
 use crate::plan::ShadowPlan;
 use crate::settings::{Select, Settings};
@@ -78,29 +78,28 @@ impl<'a> Receiver<'a> {
         let low = Vec2::splat(self.settings.filter.reach_texels());
         let high = Vec2::splat(view.tile.size as f32) - low;
         let inside = place.texel.cmpge(low).all() && place.texel.cmple(high).all();
-        let plane = self.settings.filter.plane_reach_texels();
-        let nearest = place.compare_depth - place.gradient.abs().element_sum() * plane;
-        inside && nearest >= 0.0 && place.compare_depth <= 1.0
+        inside && (0.0..=1.0).contains(&place.compare_depth)
     }
 
     /// Where it lies in a view's tile; outside of it where the view's light does not reach it.
     pub fn place(&self, view: &ShadowView) -> Place {
         let Self { settings, position, normal, .. } = *self;
-        if (view.clip_from_world * position.extend(1.0)).w <= 0.0 {
+        if view.clip(position).w <= 0.0 {
             let (texel, gradient) = (Vec2::NEG_ONE, Vec2::ZERO);
-            return Place { texel, compare_depth: 2.0, gradient, texel_metres: Vec2::ONE };
+            return Place { texel, compare_depth: -1.0, gradient, texel_metres: Vec2::ONE };
         }
         let to_light = self.plan.lights()[view.light].direction_from(position);
         let texel_basis = view.texel_basis_at(position);
         let bias = settings.bias_metres(&texel_basis, normal, to_light);
-        let ndc = view.clip_from_world.project_point3(position + normal * bias.along_normal);
+        let clip = view.clip(position + normal * bias.along_normal);
+        let ndc = clip.truncate() / clip.w;
         Place {
             texel: Vec2::new(ndc.x * 0.5 + 0.5, ndc.y * -0.5 + 0.5) * view.tile.size as f32,
             compare_depth: ndc.z
-                - texel_basis.rise(to_light) * bias.toward_light
-                - texel_basis.slope(normal, to_light, settings.filter.steepest_plane()).abs().element_sum()
+                + texel_basis.rise(to_light) * bias.toward_light
+                + texel_basis.slope(normal, to_light, STEEPEST_PLANE).abs().element_sum()
                     * RASTER_STEP_TEXELS
-                - settings.depth.step(),
+                + view.depth_rounding(settings.depth, ndc.z),
             gradient: settings.reference_gradient(&texel_basis, normal, to_light),
             texel_metres: Vec2::new(texel_basis.right.length(), texel_basis.down.length()),
         }

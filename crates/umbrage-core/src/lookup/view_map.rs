@@ -44,7 +44,7 @@ impl Map for ViewMap<'_> {
         let way = (receiver - blocker).max(0.0) * view.depth_metres;
         match view.rays {
             Rays::Parallel => size * way,
-            Rays::FromApex => {
+            Rays::FromApex { .. } => {
                 size * way / (view.near_metres + blocker * view.depth_metres).max(f32::MIN_POSITIVE)
             }
         }

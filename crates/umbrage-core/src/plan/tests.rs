@@ -81,7 +81,7 @@ fn every_view_of_a_plan_has_the_matrix_of_its_fit() {
         let settings = Settings { warp, fit, splits: 1, ..Settings::default() };
         let plan = plan(&camera, &[light], &bounds, &settings).expect("a plan");
         let (map, _) = v29_map(warp, fit);
-        let difference = plan.views()[0].clip_from_world.as_dmat4() - map;
+        let difference = plan.views()[0].clip_from_world - map;
         let largest =
             [0, 1, 2, 3].map(|i| difference.row(i).abs().max_element()).into_iter().fold(0.0, f64::max);
         assert!(largest < 1e-5, "{warp:?}: {difference}");

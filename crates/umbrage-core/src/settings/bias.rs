@@ -18,7 +18,7 @@ pub struct Bias {
     /// How much deeper casters are drawn, in their own depth slopes a texel (`glPolygonOffset` factor), from -100 to 100.
     /// The default is 0.
     pub raster_slope: f32,
-    /// How far a lookup moves toward the light, from 0 to 1000 metres. The default is 0.002.
+    /// How far a lookup moves toward the light, from 0 to 1000 metres. The default is 0.
     pub constant: f32,
     /// How far a lookup moves toward the light, from 0 to 100 texels of the view, times the tangent of the angle between
     /// normal and light. The default is 0.5.
@@ -90,7 +90,7 @@ impl Default for Bias {
         Self {
             raster_constant: 0,
             raster_slope: 0.0,
-            constant: 0.002,   // rounding of depth over a few kilometres in 32 bits
+            constant: 0.0,     // rounding is known, and stood off by itself
             slope: 0.5,        // bends between triangles: docs/decisions/0017
             slope_limit: 16.0, // 86°; steeper walls get next to no light
             normal: 0.0,       // it moves the lookup aside, and shadows shrink

@@ -26,14 +26,19 @@ impl DepthFormat {
         }
     }
 
-    /// How much a stored depth may differ from the one that was drawn, of a range from 0 to 1. Lookups stand off by it.
+    /// How much a stored depth may differ from the one that was drawn, of a range from 0 to 1, however small it is. Lookups
+    /// stand off by it, and by [`Self::rounding`].
     pub fn step(self) -> f32 {
         match self {
-            // Two steps where depth is above a half. Of a few kilometres under a sun that is less than a millimetre; the
-            // depth of a punctual light is steep far away, and there it counts.
-            Self::F32 => f32::EPSILON,
+            Self::F32 => 0.0,
             Self::U16 => 1.0 / 65535.0,
         }
+    }
+
+    /// How much it may differ as a share of itself, or of the terms that it is the sum of: some roundings of an f32, in the
+    /// vertex shader, between the corners of a triangle, and in the lookup.
+    pub fn rounding(self) -> f32 {
+        4.0 * f32::EPSILON
     }
 }
 

@@ -2,7 +2,7 @@
 //! around it.
 
 use encase::{ShaderType, StorageBuffer, UniformBuffer};
-use glam::{Mat4, Vec2, Vec3};
+use glam::{DVec3, Mat4, Vec2, Vec3};
 use umbrage::Shadows;
 
 use crate::buffers::{READ, WRITE, binding, filled};
@@ -60,12 +60,23 @@ impl QueryPass {
         Self { layout, pipeline }
     }
 
-    /// Uploads no more points than [`MOST_AT_ONCE`].
-    pub fn upload(&self, gpu: &Gpu, query: &Query, points: &[Point]) -> Result<Queries, RenderError> {
+    /// Uploads no more points than [`MOST_AT_ONCE`], which are then relative to `origin`, as the query's camera is.
+    pub fn upload(
+        &self,
+        gpu: &Gpu,
+        query: &Query,
+        origin: DVec3,
+        points: &[Point],
+    ) -> Result<Queries, RenderError> {
+        let relative = |point: &Point| Point {
+            position: (point.position.as_dvec3() - origin).as_vec3(),
+            normal: point.normal,
+        };
+        let points: Vec<Point> = points.iter().map(relative).collect();
         let mut uniform = UniformBuffer::new(Vec::new());
         uniform.write(query).map_err(|e| RenderError::Device(e.to_string()))?;
         let mut bytes = StorageBuffer::new(Vec::new());
-        bytes.write(points).map_err(|e| RenderError::Device(e.to_string()))?;
+        bytes.write(&points).map_err(|e| RenderError::Device(e.to_string()))?;
         let uniform = filled(gpu, "query", &uniform.into_inner(), wgpu::BufferUsages::UNIFORM)?;
         let points_buffer = filled(gpu, "queried points", &bytes.into_inner(), wgpu::BufferUsages::STORAGE)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;

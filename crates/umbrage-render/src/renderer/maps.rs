@@ -43,13 +43,14 @@ impl Renderer {
         let planned = self.with_maps_of(drawn)?;
         planned.has_shadows_of(light)?;
         let [width, height] = planned.size.map(|side| side as f32);
-        let clip_from_world = planned.camera.clip_from_world();
+        let origin = planned.origin;
+        let clip_from_world = planned.camera.relative_to(origin).clip_from_world();
         let query = Query { clip_from_world, size: Vec2::new(width, height), light: light as u32 };
         let Self { gpu, shadows, query: pass, .. } = self;
         let pass = pass.get_or_insert_with(|| QueryPass::new(gpu, shadows));
         let mut answers = Vec::with_capacity(points.len());
         for points in points.chunks(MOST_AT_ONCE) {
-            let queries = pass.upload(gpu, &query, points)?;
+            let queries = pass.upload(gpu, &query, origin, points)?;
             let mut encoder = gpu.encoder("Renderer::query");
             pass.record(&mut encoder, shadows, &queries);
             gpu.queue.submit([encoder.finish()]);

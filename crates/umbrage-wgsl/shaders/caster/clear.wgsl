@@ -5,5 +5,5 @@ import package::caster::whole_tile::umbrage_whole_tile;
 
 @vertex
 fn clear(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-    return umbrage_whole_tile(index, 1.0);
+    return umbrage_whole_tile(index, 0.0);
 }

@@ -7,7 +7,7 @@ import package::caster::whole_tile::umbrage_whole_tile;
 import package::current_view::umbrage_current_view;
 import package::frame::umbrage_frame;
 import package::light::umbrage_stored_a_metre;
-import package::linear_depth::{umbrage_inverse_weight, umbrage_linear_depth};
+import package::linear_depth::{umbrage_depth_scale, umbrage_linear_depth};
 
 @group(0) @binding(2) var umbrage_first: texture_depth_2d_array;
 @group(0) @binding(3) var umbrage_second: texture_depth_2d_array;
@@ -24,13 +24,13 @@ fn join(@builtin(position) position: vec4f) -> @builtin(frag_depth) f32 {
     let layer = umbrage_frame.views[view_index].layer;
     let first = textureLoad(umbrage_first, vec2i(position.xy), layer, 0);
     // Nothing is there, or a caster before the near plane.
-    if first >= 1.0 || first <= 0.0 {
+    if first <= 0.0 || first >= 1.0 {
         return first;
     }
     let second = textureLoad(umbrage_second, vec2i(position.xy), layer, 0);
     let texel = position.xy - umbrage_frame.views[view_index].tile_origin;
     let linear = umbrage_linear_depth(view_index, texel, first);
-    let weight = umbrage_inverse_weight(view_index, texel);
-    let limit = umbrage_frame.depth_layer_limit * umbrage_stored_a_metre(view_index, linear, weight);
-    return min(umbrage_joined(first, select(second, first + 2.0 * limit, second >= 1.0), limit), 1.0);
+    let scale = umbrage_depth_scale(view_index, texel);
+    let limit = umbrage_frame.depth_layer_limit * umbrage_stored_a_metre(view_index, linear, scale);
+    return max(umbrage_joined(first, select(second, first - 2.0 * limit, second <= 0.0), limit), 0.0);
 }

@@ -22,7 +22,7 @@ fn umbrage_blockers(lookup: UmbrageLookup, radius: vec2f, noise: f32) -> vec2f {
         let place = lookup.texel + umbrage_point(points[i], i, noise) * radius;
         let centre = umbrage_inside(lookup.view_index, floor(place) + 0.5);
         let stored = umbrage_stored_depth(lookup.view_index, centre);
-        if stored < umbrage_compare_depth(lookup, centre) {
+        if stored > umbrage_compare_depth(lookup, centre) {
             sum += umbrage_linear_depth(lookup.view_index, centre, stored);
             count += 1.0;
         }

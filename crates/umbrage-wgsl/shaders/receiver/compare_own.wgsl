@@ -11,7 +11,7 @@ fn umbrage_gradient(texel_basis: UmbrageTexelBasis, world_normal: vec3f, to_ligh
 fn umbrage_normal_offset(texel_basis: UmbrageTexelBasis, world_normal: vec3f, to_light: vec3f) -> f32 {
     let right = dot(world_normal, cross(texel_basis.depth_gradient, texel_basis.down_gradient));
     let down = dot(world_normal, cross(texel_basis.right_gradient, texel_basis.depth_gradient));
-    let rise = -dot(texel_basis.depth_gradient, to_light);
+    let rise = dot(texel_basis.depth_gradient, to_light);
     let across = length(cross(texel_basis.right_gradient, texel_basis.down_gradient));
     return (abs(right) + abs(down)) / max(across * rise, 1.1754944e-38);
 }

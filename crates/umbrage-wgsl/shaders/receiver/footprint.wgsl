@@ -3,12 +3,13 @@
 import package::frame::umbrage_frame;
 import package::receiver::lookup::{UmbrageLookup, UmbrageReceiver};
 import package::receiver::texel_basis::umbrage_texel_basis;
-import package::storage::map::umbrage_clip_from_world;
+import package::storage::map::{umbrage_clip_from_local, umbrage_local};
 
 /// How the place on the map changes from a pixel to the next, on the receiver's plane, in texels: to the right, and upward.
 /// From the matrices, since neighbouring pixels may belong to other surfaces.
 fn umbrage_footprint(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> mat2x2f {
-    let clip = umbrage_clip_from_world(lookup.view_index) * vec4f(receiver.position, 1.0);
+    let local = umbrage_local(lookup.view_index, receiver.position);
+    let clip = umbrage_clip_from_local(lookup.view_index) * vec4f(local, 1.0);
     let texel_basis = umbrage_texel_basis(lookup.view_index, clip);
     let point = vec4f(receiver.position, 1.0);
     let w = dot(umbrage_frame.clip_w_row, point);

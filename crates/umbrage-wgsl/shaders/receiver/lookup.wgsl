@@ -3,9 +3,9 @@
 import constants::UMBRAGE_RASTER_STEP;
 import chosen::{umbrage_gradient, umbrage_normal_offset, umbrage_offset_reach};
 import package::frame::umbrage_frame;
-import package::light::umbrage_direction_to_light;
+import package::light::{umbrage_depth_rounding, umbrage_direction_to_light};
 import package::receiver::texel_basis::{umbrage_slope, umbrage_texel_basis};
-import package::storage::map::{umbrage_clip_from_world, umbrage_tile_size};
+import package::storage::map::{umbrage_clip_from_local, umbrage_local, umbrage_tile_size};
 
 /// A point that asks for visibility.
 struct UmbrageReceiver {
@@ -25,7 +25,7 @@ struct UmbrageLookup {
     light: u32,
     /// In texels from the tile's upper left corner; outside of it where the receiver is behind the light.
     texel: vec2f,
-    /// Depth to compare with: lit where it is not greater than the stored one.
+    /// Depth to compare with: lit where it is not less than the stored one.
     compare_depth: f32,
     /// How much the depth to compare with grows from a texel to the next, to the right and downward.
     gradient: vec2f,
@@ -35,11 +35,12 @@ struct UmbrageLookup {
 
 /// Where a receiver looks in a view, bias included. `world_normal` is the unit geometric normal.
 fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_normal: vec3f) -> UmbrageLookup {
-    let clip_from_world = umbrage_clip_from_world(view_index);
+    let clip_from_local = umbrage_clip_from_local(view_index);
     let tile_size = umbrage_tile_size(view_index);
-    let clip_unbiased = clip_from_world * vec4f(world_position, 1.0);
+    let local = umbrage_local(view_index, world_position);
+    let clip_unbiased = clip_from_local * vec4f(local, 1.0);
     if clip_unbiased.w <= 0.0 {
-        return UmbrageLookup(view_index, light, vec2f(-1.0), 2.0, vec2f(0.0), vec2f(1.0));
+        return UmbrageLookup(view_index, light, vec2f(-1.0), -1.0, vec2f(0.0), vec2f(1.0));
     }
     let texel_basis = umbrage_texel_basis(view_index, clip_unbiased);
     let to_light = umbrage_direction_to_light(light, world_position);
@@ -49,20 +50,20 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let texel_metres = max(length(texel_basis.right), length(texel_basis.down));
     let texels = umbrage_frame.bias_normal * umbrage_offset_reach(texel_metres);
     let normal_offset = texels * umbrage_normal_offset(texel_basis, world_normal, to_light);
-    let receiver = world_position + world_normal * normal_offset;
-    let clip = clip_from_world * vec4f(receiver, 1.0);
+    let clip = clip_from_local * vec4f(local + world_normal * normal_offset, 1.0);
     // Toward the light: the place on the map stays.
     let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent;
     let nearer = dot(texel_basis.depth_gradient, to_light) * toward_light;
     // Rasterisers round corners, so what is stored may be the depth of a place beside.
     let slope = umbrage_slope(texel_basis, world_normal, cosine);
-    let rounded = dot(abs(slope), vec2f(UMBRAGE_RASTER_STEP)) + umbrage_frame.depth_step;
+    let depth = clip.z / clip.w;
+    let rounded = dot(abs(slope), vec2f(UMBRAGE_RASTER_STEP)) + umbrage_depth_rounding(view_index, depth);
     var lookup: UmbrageLookup;
     lookup.view_index = view_index;
     lookup.light = light;
     lookup.texel_metres = vec2f(length(texel_basis.right), length(texel_basis.down));
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
-    lookup.compare_depth = clip.z / clip.w + nearer - rounded;
+    lookup.compare_depth = depth + nearer + rounded;
     lookup.gradient = umbrage_gradient(texel_basis, world_normal, to_light);
     return lookup;
 }

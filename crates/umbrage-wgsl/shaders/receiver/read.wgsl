@@ -8,7 +8,7 @@ import package::storage::map::umbrage_tile_size;
 fn umbrage_read(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
     let tile_size = umbrage_tile_size(lookup.view_index);
     let outside =
-        any(lookup.texel < vec2f(0.0)) || any(lookup.texel > vec2f(tile_size)) || lookup.compare_depth > 1.0;
+        any(lookup.texel < vec2f(0.0)) || any(lookup.texel > vec2f(tile_size)) || lookup.compare_depth < 0.0;
     if outside {
         return 1.0;
     }

@@ -1,6 +1,6 @@
 // A receiver's view is the finest one whose map holds the whole footprint of the filter, whatever its slice.
 
-import constants::{UMBRAGE_FILTER_REACH, UMBRAGE_PLANE_REACH};
+import constants::UMBRAGE_FILTER_REACH;
 import package::frame::umbrage_frame;
 import package::receiver::no_view::UMBRAGE_NO_VIEW;
 import package::receiver::lookup::umbrage_lookup;
@@ -19,8 +19,7 @@ fn umbrage_finest(light: u32, start: u32, world_position: vec3f, world_normal: v
         let tile_size = umbrage_tile_size(i);
         let low = vec2f(UMBRAGE_FILTER_REACH);
         let inside = all(lookup.texel >= low) && all(lookup.texel <= vec2f(tile_size) - low);
-        let nearest = lookup.compare_depth - dot(abs(lookup.gradient), vec2f(UMBRAGE_PLANE_REACH));
-        if inside && nearest >= 0.0 && lookup.compare_depth <= 1.0 {
+        if inside && lookup.compare_depth <= 1.0 && lookup.compare_depth >= 0.0 {
             return i;
         }
     }

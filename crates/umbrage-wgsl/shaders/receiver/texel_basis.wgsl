@@ -2,7 +2,7 @@
 // umbrage-core, `texel_basis.rs`, which it mirrors.
 
 import constants::UMBRAGE_STEEPEST_PLANE;
-import package::storage::map::{umbrage_clip_from_world, umbrage_tile_size};
+import package::storage::map::{umbrage_clip_from_local, umbrage_tile_size};
 
 struct UmbrageTexelBasis {
     /// Sides of a texel across the light, metres of world space: a texel to the right on the map, and one downward.
@@ -17,7 +17,7 @@ struct UmbrageTexelBasis {
 /// The texel basis at a point with clip position `clip`, which has w > 0.
 fn umbrage_texel_basis(view_index: u32, clip: vec4f) -> UmbrageTexelBasis {
     // Rows of the matrix, without their last entries.
-    let rows = transpose(umbrage_clip_from_world(view_index));
+    let rows = transpose(umbrage_clip_from_local(view_index));
     let ndc = clip.xyz / clip.w;
     let half = 0.5 * umbrage_tile_size(view_index) / clip.w;
     var texel_basis: UmbrageTexelBasis;

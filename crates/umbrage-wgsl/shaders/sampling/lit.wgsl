@@ -3,10 +3,15 @@
 import package::receiver::lookup::UmbrageLookup;
 import package::storage::map::{umbrage_inside, umbrage_lit_share};
 
+/// No receiver is nearer than this. A steep plane may be, a texel beside its receiver; casters that were flattened onto the
+/// near plane count as before it there.
+const UMBRAGE_NEAREST_COMPARED: f32 = 0.9999;
+
 /// The depth to compare with at a place of the tile, given in texels: that of the lookup's plane there. Nothing that is
-/// stored lies beyond 1.
+/// stored lies beyond 0.
 fn umbrage_compare_depth(lookup: UmbrageLookup, texel: vec2f) -> f32 {
-    return min(lookup.compare_depth + dot(lookup.gradient, texel - lookup.texel), 1.0);
+    let plane = lookup.compare_depth + dot(lookup.gradient, texel - lookup.texel);
+    return clamp(plane, 0.0, max(lookup.compare_depth, UMBRAGE_NEAREST_COMPARED));
 }
 
 /// Whether the texel around `centre` leaves a receiver lit: 1 or 0. It is compared with the depth at its centre.

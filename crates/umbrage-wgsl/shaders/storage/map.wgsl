@@ -1,5 +1,5 @@
 // Where receivers' matrices, tiles and texels come from, and which way depth grows: all address arithmetic of the lookup. The
-// technique above asks in texels of a tile, counted from its upper left corner, and in depths from 0 near the light to 1 far. A
+// technique above asks in texels of a tile, counted from its upper left corner, and in depths from 1 near the light to 0 far. A
 // host that keeps its maps otherwise replaces this file.
 
 import package::frame::umbrage_frame;
@@ -7,9 +7,15 @@ import package::frame::umbrage_frame;
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
 @group(0) @binding(2) var umbrage_compare: sampler_comparison;
 
-/// From world space to the clip space of a view: x, y in −1…1 over its tile, depth 0 near the light to 1 far.
-fn umbrage_clip_from_world(view_index: u32) -> mat4x4f {
-    return umbrage_frame.views[view_index].clip_from_world;
+/// From the local space of a view to its clip space: x, y in −1…1 over its tile, depth 1 near the light to 0 far.
+fn umbrage_clip_from_local(view_index: u32) -> mat4x4f {
+    return umbrage_frame.views[view_index].clip_from_local;
+}
+
+/// A world-space position in the local space of a view, which begins at the apex of a punctual light: what is subtracted is
+/// as large as the position, so that no matrix has to hold it.
+fn umbrage_local(view_index: u32, world_position: vec3f) -> vec3f {
+    return world_position - umbrage_frame.views[view_index].local_origin;
 }
 
 /// Side of a view's tile, texels.
@@ -53,7 +59,7 @@ fn umbrage_address_around(view_index: u32, texel: vec2f) -> vec2i {
     return vec2i(umbrage_frame.views[view_index].tile_origin + texel);
 }
 
-/// What share of the texels around a place of a tile leaves a receiver at `depth` lit: where `depth` is not greater than what
+/// What share of the texels around a place of a tile leaves a receiver at `depth` lit: where `depth` is not less than what
 /// is stored. With a linear sampler four texels count, weighted bilinearly.
 fn umbrage_lit_share(view_index: u32, texel: vec2f, depth: f32) -> f32 {
     let uv = umbrage_uv(view_index, texel, 0.5);

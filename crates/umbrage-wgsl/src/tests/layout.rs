@@ -1,7 +1,7 @@
 //! CPU and shaders lay the same fields out alike, and mean the same by their numbers.
 
 use encase::ShaderType;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use umbrage_core::{Bounds, Camera, Contact, Disc, Filter, Light, NoiseSource, Projection, Settings, plan};
 
 use crate::shared::fields_in_shader;
@@ -74,7 +74,9 @@ fn frames_after_the_first_are_written_into_the_bytes_of_the_first() {
     let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
     let mut bytes = FrameBytes::default();
     let mut write = || {
-        let written = bytes.write(&plan, &settings, [1024; 2], [640, 360]);
+        let surroundings =
+            Surroundings { map_size: [1024; 2], picture_size: [640, 360], origin: DVec3::ZERO };
+        let written = bytes.write(&plan, &settings, &surroundings);
         (written.as_ptr(), written.len())
     };
     let first = write();

@@ -188,8 +188,7 @@ fn a_moving_camera_leaves_the_texels_of_a_stable_map_as_they_are() {
         for (a, b) in before.plan.views().iter().zip(after.plan.views()) {
             let size = i64::from(a.tile.size);
             let half = size as f64 / 2.0;
-            let shift =
-                (b.clip_from_world.w_axis - a.clip_from_world.w_axis).truncate().truncate().as_dvec2() * half;
+            let shift = (b.clip_from_world.w_axis - a.clip_from_world.w_axis).truncate().truncate() * half;
             let (dx, dy) = (shift.x.round() as i64, -shift.y.round() as i64);
             moved += usize::from((dx, dy) != (0, 0));
             for y in 0.max(-dy)..size.min(size - dy) {

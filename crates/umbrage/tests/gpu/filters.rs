@@ -31,7 +31,7 @@ fn differences(settings: &Settings, tolerance: f32) -> (f64, f32) {
                 let centre = texel.floor().as_i64vec2();
                 // Around what is stored here, and behind it.
                 let stored = maps.depth(view.tile, centre.x, centre.y);
-                let reference = (stored + (share(0.437_598_1) - 0.3) * 0.1).clamp(0.0, 1.0);
+                let reference = (stored - (share(0.437_598_1) - 0.3) * 0.1).clamp(0.0, 1.0);
                 Place {
                     texel,
                     compare_depth: reference,
@@ -255,7 +255,7 @@ fn no_filter_reads_over_the_sides_of_its_tile() {
                         ][i % 4];
                         let centre = texel.as_i64vec2();
                         let reference =
-                            (maps.depth(view.tile, centre.x, centre.y) + 0.01 * (i % 3) as f32).min(0.999);
+                            (maps.depth(view.tile, centre.x, centre.y) - 0.01 * (i % 3) as f32).max(0.001);
                         Place {
                             texel,
                             compare_depth: reference,

@@ -63,12 +63,12 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
                         DepthFormat::F32 if is_equal => here,
                         DepthFormat::F32 => reference,
                         // Samplers may convert a 16-bit depth, or the reference, with rounding: keep apart from equal.
-                        DepthFormat::U16 if is_equal => here + 0.25 / 65535.0,
-                        DepthFormat::U16 => here - 0.25 / 65535.0,
+                        DepthFormat::U16 if is_equal => here - 0.25 / 65535.0,
+                        DepthFormat::U16 => here + 0.25 / 65535.0,
                     };
-                    // Receivers beyond 1 are lit without asking a filter.
+                    // Receivers beyond 0 are lit without asking a filter.
                     let texel_metres = Vec2::new(0.1, 0.14);
-                    Place { texel, compare_depth: reference.min(1.0), gradient, texel_metres }
+                    Place { texel, compare_depth: reference.max(0.0), gradient, texel_metres }
                 })
                 .collect();
             let gpu = drawn.filter(view.index as u32, &places);
