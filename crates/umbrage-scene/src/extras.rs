@@ -12,6 +12,7 @@ use gltf::json::extras::RawValue;
 use gltf::json::{Extras, Value, deserialize};
 
 use crate::error::Fault;
+use crate::import::FARTHEST_ORIGIN;
 use crate::{CameraPath, Motion, PathKey};
 
 const KEY: &str = "umbrage";
@@ -52,7 +53,10 @@ pub(crate) fn of_motion(motion: &Motion, origin: DVec3) -> Result<Extras, Fault>
 /// The origin in the extras of a scene, if there is one.
 pub(crate) fn origin_of(extras: &Extras) -> Result<Option<DVec3>, Fault> {
     let origin = value(extras, "origin");
-    origin.map(|origin| vector(&origin).ok_or_else(|| malformed("origin"))).transpose()
+    // Written again, it must fit f32.
+    let is_near = |origin: &DVec3| origin.abs().max_element() <= FARTHEST_ORIGIN;
+    let read = |origin: Value| vector(&origin).filter(is_near).ok_or_else(|| malformed("origin"));
+    origin.map(read).transpose()
 }
 
 /// The path in the extras of a scene with its origin there in the file; without keys where there is none.

@@ -27,7 +27,7 @@ use std::path::Path;
 
 use self::files::Files;
 pub(crate) use self::pictures::MAX_SIDE_PX;
-pub(crate) use self::recentre::would_move;
+pub(crate) use self::recentre::{FARTHEST_ORIGIN, would_move};
 use self::warnings::Warnings;
 use crate::Scene;
 use crate::error::{Fault, SceneError};

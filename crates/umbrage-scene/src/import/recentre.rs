@@ -24,7 +24,7 @@ const COARSE: f64 = 1.0 / 2000.0;
 const SMALL_SHARE: f64 = 0.1;
 
 /// An origin farther away than this, metres, is none: files of glTF hold f32.
-const FARTHEST_ORIGIN: f64 = 1e30;
+pub(crate) const FARTHEST_ORIGIN: f64 = 1e30;
 
 /// How many triangles of a mesh are looked at for it.
 const SAMPLED: usize = 4096;
