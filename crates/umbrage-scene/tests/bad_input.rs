@@ -2,11 +2,17 @@
 //! one warning.
 
 mod common;
+#[path = "common/numbers.rs"]
+mod numbers;
+#[path = "common/pictures.rs"]
+mod pictures;
 
 use std::fs;
 use std::time::{Duration, Instant};
 
-use common::{CORNERS, Doc, floats, glb, png, shorts};
+use common::{CORNERS, Doc, floats, glb};
+use numbers::shorts;
+use pictures::png;
 use umbrage_scene::{Imported, load, load_glb_bytes, load_obj_bytes, to_glb};
 
 /// One change to a good document.
@@ -210,7 +216,7 @@ const MENDED: &[(&str, &str, Spoil)] = &[
     }),
     ("an intensity of -1", "node 0, its intensity is -1", |d| lamp(d, r#""intensity": -1"#)),
     ("an intensity beyond all numbers", "\"intensity\" of \"lights\" 0", |d| {
-        lamp(d, r#""intensity": 1e400"#)
+        lamp(d, r#""intensity": 1e400"#);
     }),
     ("an intensity of 1e30", "intensity 1e30 becomes 1e15", |d| lamp(d, r#""intensity": 1e30"#)),
     ("a range of 0", "range of 0 m is ignored", |d| lamp(d, r#""range": 0"#)),

@@ -1,12 +1,18 @@
 //! What the glTF importer understands, one sentence a test.
 
 mod common;
+#[path = "common/numbers.rs"]
+mod numbers;
+#[path = "common/pictures.rs"]
+mod pictures;
 
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::fs;
 
-use common::{CORNERS, Doc, floats, png, shorts};
+use common::{CORNERS, Doc, floats};
 use glam::{DVec3, Mat4, Vec2, Vec3, Vec4};
+use numbers::shorts;
+use pictures::png;
 use umbrage_scene::{Imported, Lens, LightKind, Mesh, Motion, load};
 
 /// The only mesh of a document.

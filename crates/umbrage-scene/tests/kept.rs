@@ -1,12 +1,15 @@
 //! What files of other programs hold, and no scene may be refused for: each is drawn, and a warning says what is lost.
 
 mod common;
+#[path = "common/pictures.rs"]
+mod pictures;
 
 use std::fs;
 use std::io::Cursor;
 
-use common::{CORNERS, Doc, floats, png};
+use common::{CORNERS, Doc, floats};
 use glam::{DVec3, Vec3};
+use pictures::png;
 use umbrage_scene::{Imported, Scene, load, load_obj_bytes, to_glb};
 
 /// A textured triangle, with these textures and images.

@@ -69,7 +69,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let intervals = (!others.is_empty()).then(|| intervals(measurement, &others));
     match &args.json {
         Some(path) => {
-            output::write_json(path, &Report { measurement, origin: scene.origin.to_array(), intervals })?
+            output::write_json(path, &Report { measurement, origin: scene.origin.to_array(), intervals })?;
         }
         None => output::print(&text(measurement, intervals.as_ref()))?,
     }

@@ -88,16 +88,3 @@ pub fn glb(json: &str, binary: &[u8]) -> Vec<u8> {
 pub fn floats(numbers: &[f32]) -> Vec<u8> {
     numbers.iter().flat_map(|x| x.to_le_bytes()).collect()
 }
-
-/// Little-endian bytes.
-pub fn shorts(numbers: &[u16]) -> Vec<u8> {
-    numbers.iter().flat_map(|x| x.to_le_bytes()).collect()
-}
-
-/// A PNG file of one colour.
-pub fn png(width: u32, height: u32, colour: [u8; 4]) -> Vec<u8> {
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    let picture = image::RgbaImage::from_pixel(width, height, image::Rgba(colour));
-    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    bytes.into_inner()
-}

@@ -69,8 +69,10 @@ mod tests {
         .concat()
     }
 
-    /// What was split, and how many warnings it took.
-    fn split_up(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>, usize), Fault> {
+    /// The JSON, the bytes, and how many warnings it took.
+    type Split = (Vec<u8>, Option<Vec<u8>>, usize);
+
+    fn split_up(bytes: &[u8]) -> Result<Split, Fault> {
         let mut warnings = Warnings::default();
         let (json, binary) = split(bytes, &mut warnings)?;
         Ok((json.to_vec(), binary.map(<[u8]>::to_vec), warnings.into_lines().len()))
