@@ -49,6 +49,7 @@ fn bits(scene: &Scene) -> Vec<String> {
         bits.push(format!("light {name:?} {} {colour} {kind:?} {movement}", matrix(world_from_light)));
     }
     bits.extend(scene.path.keys.iter().map(|key| vector(&key.eye) + &vector(&key.target)));
+    bits.push(format!("origin {}", scene.origin));
     bits
 }
 

@@ -1,17 +1,15 @@
 //! Materials: a base colour, the picture of it, and where on the picture a vertex is.
 
-use std::collections::BTreeMap;
-
 use glam::{Affine2, Vec2, Vec4};
 use gltf::json::material::AlphaMode;
 use gltf::json::validation::Checked;
-use gltf::json::{Image, Index, Material as JsonMaterial, texture};
+use gltf::json::{Index, Material as JsonMaterial, texture};
 
 use super::accessors::Data;
+use super::images::Pictures;
 use crate::error::Fault;
 use crate::import::budget::Budget;
 use crate::import::files::Files;
-use crate::import::pictures;
 use crate::import::warnings::Warnings;
 use crate::{Material, Texture};
 
@@ -61,15 +59,9 @@ pub(super) fn read(
 ) -> Result<Surfaces, Fault> {
     let mut surfaces = Surfaces::default();
     let root = data.root;
-    let image_of = |info: &texture::Info| root.textures[info.index.value()].source;
     let base_textures =
-        || root.materials.iter().filter_map(|m| m.pbr_metallic_roughness.base_color_texture.as_ref());
-    let mut textures: BTreeMap<usize, usize> =
-        base_textures().map(|info| (image_of(info).value(), 0)).collect();
-    for (&image, texture) in &mut textures {
-        *texture = surfaces.textures.len();
-        surfaces.textures.push(picture(data, image, files, budget)?);
-    }
+        root.materials.iter().filter_map(|m| m.pbr_metallic_roughness.base_color_texture.as_ref());
+    let pictures = Pictures::read(data, base_textures.map(|info| info.index), files, budget, warnings);
     for (i, material) in root.materials.iter().enumerate() {
         let name = material.name.clone().unwrap_or_else(|| format!("material {i}"));
         if !matches!(material.alpha_mode, Checked::Valid(AlphaMode::Opaque)) {
@@ -83,28 +75,14 @@ pub(super) fn read(
             )));
         }
         let info = pbr.base_color_texture.as_ref();
-        let texture = info.map(|info| textures[&image_of(info).value()]);
+        let texture = info.and_then(|info| pictures.of(info.index));
         surfaces.mappings.push(info.map_or(Ok(Mapping::default()), |info| mapping(info, &name))?);
         let unlit = material.extensions.as_ref().is_some_and(|of| of.others.contains_key(UNLIT));
-        let casts = super::casts(&material.extras, &name, warnings).unwrap_or(true);
+        let casts = super::place::casts(&material.extras, &name, warnings).unwrap_or(true);
         surfaces.materials.push(Material { name, base_colour, texture, unlit, casts });
     }
+    surfaces.textures = pictures.textures;
     Ok(surfaces)
-}
-
-fn picture(data: &Data<'_>, index: usize, files: Files<'_>, budget: &mut Budget) -> Result<Texture, Fault> {
-    let image: &Image = &data.root.images[index];
-    let label = || format!("image {index}");
-    match (image.buffer_view, &image.uri) {
-        (Some(view), _) => {
-            pictures::decode(data.view(view)?, image.name.clone().unwrap_or_else(label), budget)
-        }
-        (None, Some(uri)) => {
-            let name = if uri.starts_with("data:") { label() } else { uri.clone() };
-            pictures::decode(&files.fetch(uri)?, image.name.clone().unwrap_or(name), budget)
-        }
-        (None, None) => Err(Fault(format!("{} has neither a URI nor a buffer view", label()))),
-    }
 }
 
 /// Source: the `KHR_texture_transform` specification. Its angle is counter-clockwise on the picture, where v is down.
