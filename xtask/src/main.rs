@@ -1,7 +1,8 @@
 //! Repository chores: `cargo xtask results` times every world into `docs/results.md`, `cargo xtask error` measures how
 //! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
 //! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask filters` compares every
-//! filter in `docs/filters.md`, `cargo xtask pictures` draws the pictures of the documents, `cargo xtask web` builds the
+//! filter in `docs/filters.md`, `cargo xtask field` measures scenes that are far or large or small in `docs/field.md`,
+//! `cargo xtask pictures` draws the pictures of the documents, `cargo xtask web` builds the
 //! web page.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage`, and joins and copies what that leaves.
@@ -10,6 +11,7 @@ mod biases;
 mod claims;
 mod command;
 mod error;
+mod field;
 mod filters;
 mod pictures;
 mod reports;
@@ -74,6 +76,8 @@ enum Chore {
         #[arg(long, value_name = "DIR")]
         pages: Option<std::path::PathBuf>,
     },
+    /// Measures by distance from the origin and by scale, in docs/field.md
+    Field(field::Args),
     /// Draws the pictures of the documents
     Pictures,
     #[cfg(feature = "web")]
@@ -93,6 +97,7 @@ fn main() -> anyhow::Result<()> {
         Chore::Biases { adapter, pages } => biases::write(adapter.as_deref(), pages.as_deref()),
         Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
         Chore::Filters { adapter, pages } => filters::write(adapter.as_deref(), pages.as_deref()),
+        Chore::Field(args) => field::write(&args),
         Chore::Pictures => pictures::draw(),
         #[cfg(feature = "web")]
         Chore::Web { out } => web::build(&out),

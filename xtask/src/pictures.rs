@@ -5,6 +5,7 @@ use crate::command::{root, umbrage};
 /// World, camera and file of every single picture.
 const PICTURES: &[(&str, &str, &str)] = &[
     ("mining-terrain", "main", "mining-terrain"),
+    ("survey", "main", "survey"),
     ("knights", "main", "knights"),
     ("huge-chessboard", "main", "huge-chessboard"),
     ("robot-war", "main", "robot-war"),

@@ -24,6 +24,7 @@ const WORLDS: &[&str] = &[
     "night-chessboard",
     "knights",
     "mining-terrain",
+    "survey",
 ];
 const SIZE: &str = "640x360";
 const LARGE: &str = "target/large.glb";

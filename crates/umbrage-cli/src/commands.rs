@@ -9,6 +9,7 @@ mod presets;
 mod render;
 mod report;
 mod settings;
+mod sheet;
 #[cfg(feature = "window")]
 mod view;
 #[cfg(not(feature = "window"))]
@@ -28,6 +29,7 @@ pub fn run(command: Command) -> Outcome {
         Command::Plan(args) => plan::run(&args),
         Command::Wgsl(args) => wgsl::run(&args),
         Command::Measure(args) => measure::run(&args),
+        Command::Sheet(args) => sheet::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::View(args) => view::run(&args),

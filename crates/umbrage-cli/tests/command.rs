@@ -237,6 +237,7 @@ fn lists_name_every_world_preset_and_adapter() {
         "huge-chessboard",
         "knights",
         "mining-terrain",
+        "survey",
     ] {
         assert!(worlds.contains(name), "{name}: {worlds}");
     }
@@ -357,4 +358,19 @@ fn lights_of_some_size_have_softer_shadows_and_wrong_sizes_are_refused() {
         let args = ["render", "primitives", "--visibility", text(&unwritten)];
         refused(&[&args[..], more].concat(), 2, named, Some(&unwritten));
     }
+}
+
+#[test]
+fn a_sheet_has_every_file_and_a_bad_one_spoils_no_other() {
+    let folder = folder();
+    let (sheet, broken) = (folder.path().join("sheet.png"), folder.path().join("broken.glb"));
+    std::fs::write(&broken, b"no glTF").expect("a file");
+    let args = ["sheet", "primitives", text(&broken), "-o", text(&sheet), "--size", "64x48"];
+    let output = umbrage(&args);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && stderr.contains("broken.glb"), "{stderr}");
+    let picture = image::open(&sheet).expect("a picture").into_rgba8();
+    assert_eq!(picture.dimensions(), (8 + 2 * 72, 8 + 76));
+    refused(&["sheet", text(&broken), "-o", text(&sheet)], 1, "none of 1 files", None);
+    refused(&["sheet", "-o", text(&sheet)], 2, "WORLD", None);
 }

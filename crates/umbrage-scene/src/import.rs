@@ -8,6 +8,7 @@
 //! the scene, and `finish.rs` adds what every scene has.
 
 mod budget;
+pub(crate) mod domes;
 mod draft;
 mod extent;
 mod files;
@@ -26,6 +27,7 @@ use std::fs;
 use std::path::Path;
 
 use self::files::Files;
+pub(crate) use self::gltf::UNLIT;
 pub(crate) use self::pictures::MAX_SIDE_PX;
 pub(crate) use self::recentre::{FARTHEST_ORIGIN, would_move};
 use self::warnings::Warnings;

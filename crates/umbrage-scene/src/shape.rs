@@ -18,7 +18,7 @@ mod tests;
 
 use glam::{Affine3A, Quat, Vec2, Vec3};
 
-pub(crate) use flat::{bevelled, bevelled_prism, cuboid, icosphere, pyramid, sheet};
+pub(crate) use flat::{bevelled, bevelled_prism, cuboid, icosphere, prism, pyramid, sheet};
 pub(crate) use ground::{Ground, plane};
 pub(crate) use model::Model;
 pub(crate) use round::{cone, curve, cylinder, frustum, lathe, limb, sphere, torus};

@@ -21,6 +21,7 @@ mod primitives;
 mod robot_war;
 mod scanned;
 mod stage;
+mod survey;
 mod tutorial_room;
 
 #[cfg(test)]
@@ -132,6 +133,12 @@ pub const ALL: &[World] = &[
         source: PSSM,
         summary: "clawbots, windmills, rocks and trees around an open pit of 2.56 km², 1.3 M triangles",
         build: mining_terrain::build,
+    },
+    World {
+        name: "survey",
+        source: "made for worlds far from their origin",
+        summary: "a surveyed valley, 20 km across and 200 km from its origin, with a town under twelve lamps, 950 K triangles",
+        build: survey::build,
     },
 ];
 

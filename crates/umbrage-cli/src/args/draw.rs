@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::parse::{area_degrees, size};
-use super::{AdapterArgs, PlaceArgs, ShadowArgs, WorldArgs};
+use super::{AdapterArgs, CastArgs, PlaceArgs, ShadowArgs, WorldArgs};
 
 #[derive(Debug, Args)]
 pub struct DemoArgs {
@@ -38,6 +38,8 @@ pub struct ViewArgs {
     /// Size of the window, points; 1280x800
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
+    #[command(flatten)]
+    pub casting: CastArgs,
     #[command(flatten)]
     pub shadows: ShadowArgs,
     #[command(flatten)]
@@ -80,4 +82,22 @@ pub struct RenderArgs {
     /// Draw no shadows
     #[arg(long, conflicts_with_all = ["splits", "visibility", "maps", "aliasing", "area_samples"])]
     pub no_shadows: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct SheetArgs {
+    /// Files, each a .glb, .gltf or .obj, or built-in names (see `umbrage worlds`)
+    #[arg(required = true, value_name = "WORLD")]
+    pub files: Vec<String>,
+    /// Where the sheet goes
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: PathBuf,
+    /// Size of each picture, pixels; 320x240
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
+    /// Pictures a row
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub across: u32,
+    #[command(flatten)]
+    pub adapter: AdapterArgs,
 }

@@ -2,9 +2,11 @@
 
 mod refusals;
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use umbrage_lab::{AreaLight, Entry, Experiment, LabError, Motion, SmoothTruth, Watch};
+use umbrage_scene::worlds;
 
 /// Lines are counted in the refusals below.
 const GOOD: &str = r#"title = "A test"
@@ -196,4 +198,26 @@ fn an_experiment_that_is_not_there_is_an_error_of_the_file() {
     let error = Experiment::read(Path::new("no/such/experiment.toml")).unwrap_err();
     assert!(matches!(error, LabError::File { action: "read", .. }), "{error}");
     assert!(error.to_string().contains("no/such/experiment.toml"), "{error}");
+}
+
+#[test]
+fn every_experiment_of_this_repository_can_be_read_and_names_cameras_that_are_there() {
+    let mut cameras_of: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../experiments");
+    let (mut read, mut worlds) = (0, BTreeSet::new());
+    for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        let experiment = Experiment::read_with(&path, |world, seed| {
+            let cameras = cameras_of.entry(world.to_owned()).or_insert_with(|| {
+                let scene = worlds::build(world, seed).expect("a built-in world");
+                scene.cameras.into_iter().map(|camera| camera.name).collect()
+            });
+            Ok(cameras.clone())
+        });
+        worlds.extend(experiment.unwrap_or_else(|why| panic!("{why}")).worlds);
+        read += 1;
+    }
+    assert!(read > 10, "{read} experiments");
+    let unused: Vec<&str> =
+        worlds::ALL.iter().map(|world| world.name).filter(|name| !worlds.contains(*name)).collect();
+    assert!(unused.is_empty(), "no experiment measures {unused:?}");
 }

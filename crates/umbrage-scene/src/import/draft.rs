@@ -26,6 +26,10 @@ pub(super) struct Placed {
     pub what: usize,
     pub world_from_it: DMat4,
     pub motion: Motion,
+    /// The name in the file; empty where it has none.
+    pub name: String,
+    /// Whether it casts shadows, if the file says so.
+    pub casts: Option<bool>,
     /// What a warning calls it.
     pub label: String,
 }

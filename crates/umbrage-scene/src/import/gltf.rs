@@ -18,6 +18,8 @@ mod transforms;
 
 use gltf::json::Root;
 
+pub(crate) use self::materials::UNLIT;
+
 use self::accessors::{Bytes, Data};
 use super::budget::Budget;
 use super::draft::Draft;

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use glam::DMat4;
 
 use super::budget::Budget;
+use super::domes;
 use super::draft::{Draft, Placed};
 use super::extent::Extent;
 use super::flatten::{self, Stretch};
@@ -30,6 +31,7 @@ pub(super) fn settle(
     scene.origin = origin;
     scene.path = path;
     let mut flattened = HashMap::new();
+    let mut said_to_cast = Vec::new();
     for placed in &instances {
         let rebased = &rebased[placed.what];
         let world_from_mesh = placed.world_from_mesh(rebased);
@@ -48,9 +50,16 @@ pub(super) fn settle(
                 continue;
             }
         };
-        let (world_from_mesh, motion) = (world_from_mesh.as_mat4(), placed.motion);
-        scene.instances.push(Instance { mesh, world_from_mesh, motion });
+        said_to_cast.push(placed.casts == Some(true));
+        scene.instances.push(Instance {
+            name: placed.name.clone(),
+            mesh,
+            world_from_mesh: world_from_mesh.as_mat4(),
+            motion: placed.motion,
+            casts: placed.casts.unwrap_or(true),
+        });
     }
+    domes::let_cast_nothing(scene, &said_to_cast, warnings);
     let is_near = |pose: &DMat4| pose.w_axis.truncate().abs().max_element() <= FARTHEST;
     for (camera, pose) in cameras {
         if is_near(&pose) {
@@ -134,6 +143,8 @@ mod tests {
             what: 0,
             world_from_it: *world_from_it,
             motion: Motion::Still,
+            name: String::new(),
+            casts: None,
             label: "n".to_owned(),
         };
         let draft = Draft { instances: transforms.iter().map(placed).collect(), ..Draft::default() };

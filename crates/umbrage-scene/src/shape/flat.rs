@@ -59,7 +59,7 @@ pub(crate) fn sheet(x: f32, z: f32, pieces: u32, bulge: f32) -> Solid {
 }
 
 /// A simple outline in the plane z = 0, counter-clockwise seen from +Z, drawn out to `depth` about that plane.
-pub(super) fn prism(outline: &[[f32; 2]], depth: f32) -> Solid {
+pub(crate) fn prism(outline: &[[f32; 2]], depth: f32) -> Solid {
     let outline: Vec<Vec2> = outline.iter().map(|&p| p.into()).collect();
     stack(&outline, &[(&outline, -depth * 0.5), (&outline, depth * 0.5)])
 }

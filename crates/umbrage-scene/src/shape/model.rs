@@ -23,7 +23,12 @@ impl Model {
 
     /// Adds another model, shifted and turned.
     pub fn join(&mut self, other: Self, transform: Affine3A) {
-        other.solids.into_iter().for_each(|(paint, solid)| self.add(paint, solid.at(transform)));
+        other.into_solids().into_iter().for_each(|(paint, solid)| self.add(paint, solid.at(transform)));
+    }
+
+    /// Returns the painted solids, each paint once.
+    pub fn into_solids(self) -> Vec<(Paint, Solid)> {
+        self.solids
     }
 
     /// Returns the number of triangles.

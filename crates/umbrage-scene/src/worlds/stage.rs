@@ -45,14 +45,18 @@ impl Stage {
 
     /// Adds a mesh of paints; nothing is placed yet.
     pub fn mesh(&mut self, name: &str, model: &Model) -> usize {
-        self.scene.meshes.push(model.mesh(name));
+        self.add(model.mesh(name))
+    }
+
+    /// Adds a mesh; nothing is placed yet.
+    pub fn add(&mut self, mesh: Mesh) -> usize {
+        self.scene.meshes.push(mesh);
         self.scene.meshes.len() - 1
     }
 
     /// Adds a ground, which stands where it is.
     pub fn ground(&mut self, primitives: &[Primitive]) {
-        self.scene.meshes.push(Mesh::new("ground", primitives));
-        let mesh = self.scene.meshes.len() - 1;
+        let mesh = self.add(Mesh::new("ground", primitives));
         self.place(mesh, Mat4::IDENTITY);
     }
 
@@ -81,7 +85,7 @@ impl Stage {
         radians_per_second: f32,
     ) {
         let motion = Motion::Rotation { centre, axis, radians_per_second };
-        self.scene.instances.push(Instance { mesh, world_from_mesh: at, motion });
+        self.scene.instances.push(Instance { motion, ..Instance::still(mesh, at) });
     }
 
     /// Places a mesh that marches around `centre` at `metres_per_second`, counter-clockwise seen from above where that
@@ -108,7 +112,12 @@ impl Stage {
 
     /// Adds a camera; the first is the main one.
     pub fn look(&mut self, name: &str, eye: Vec3, target: Vec3) {
-        let View { fov_degrees, near, far } = self.view;
+        self.look_through(self.view, name, eye, target);
+    }
+
+    /// Adds a camera that sees in its own way.
+    pub fn look_through(&mut self, view: View, name: &str, eye: Vec3, target: Vec3) {
+        let View { fov_degrees, near, far } = view;
         self.scene.cameras.push(Camera::looking(name, eye, target, fov_degrees.to_radians(), near, far));
     }
 

@@ -7,7 +7,8 @@
 use crate::import::warnings::Warnings;
 
 /// Extensions that are read here. What of a picture's or an instance's extension cannot be read is said there.
-const UNDERSTOOD: [&str; 8] = [
+const UNDERSTOOD: [&str; 9] = [
+    super::UNLIT,
     "KHR_lights_punctual",
     "KHR_texture_transform",
     "KHR_mesh_quantization",

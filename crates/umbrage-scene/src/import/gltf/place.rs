@@ -1,13 +1,13 @@
 //! What hangs on the nodes, put into a scene whose origin is given.
 
 use glam::{DMat4, DVec3};
-use gltf::json::Node;
+use gltf::json::{Extras, Node};
 
 use super::document::Document;
 use super::{lenses, nodes};
 use crate::import::draft::{Draft, Placed};
 use crate::import::warnings::Warnings;
-use crate::{CameraPath, Motion, extras};
+use crate::{CameraPath, Light, Motion, extras};
 
 /// Everything that nodes place, with its transforms in f64. `places` says where each mesh of the file is in the scene, if
 /// it has triangles.
@@ -28,6 +28,8 @@ pub(super) fn place(
                 what: mesh,
                 world_from_it: world_from_node,
                 motion,
+                name: node.name.clone().unwrap_or_default(),
+                casts: casts(&node.extras, &label, warnings),
                 label: label.clone(),
             });
             note_lost(document, node, &label, warnings);
@@ -125,7 +127,7 @@ fn hang_light(
     if let Some(why) = document.broken.get(&("lights", khr.light.value())) {
         return left_out(why, warnings);
     }
-    let light = match lenses::light(&document.root, khr.light, node, motion, warnings) {
+    let light = match lenses::light(&document.root, khr.light, node, warnings) {
         Ok(light) => light,
         Err(fault) => return left_out(&fault.0, warnings),
     };
@@ -133,7 +135,10 @@ fn hang_light(
     // What shines in all directions needs none.
     let place = || is_point.then(|| DMat4::from_translation(world_from_node.w_axis.truncate()));
     match nodes::rigid(world_from_node).or_else(place) {
-        Some(pose) => draft.lights.push((light, pose)),
+        Some(pose) => {
+            let near = near(node, &light.name, warnings);
+            draft.lights.push((Light { motion, near, ..light }, pose));
+        }
         None => left_out("it is scaled to nothing", warnings),
     }
 }
@@ -143,6 +148,22 @@ fn motion(node: &Node, label: &str, origin: DVec3, warnings: &mut Warnings) -> M
     extras::motion_of(&node.extras, origin).unwrap_or_else(|_| {
         warnings.note("motion that cannot be understood is ignored", label);
         Motion::Still
+    })
+}
+
+/// Whether something casts shadows, as its extras say; `None` where they do not, or what they say cannot be understood.
+pub(super) fn casts(extras: &Extras, label: &str, warnings: &mut Warnings) -> Option<bool> {
+    extras::casts(extras).unwrap_or_else(|_| {
+        warnings.note("whether it casts shadows is neither true nor false, and ignored", label);
+        None
+    })
+}
+
+/// The near distance in the extras of a light's node; 0 where there is none.
+fn near(node: &Node, label: &str, warnings: &mut Warnings) -> f32 {
+    extras::near_of(&node.extras).unwrap_or_else(|_| {
+        warnings.note("near distances that are not numbers of at least 0 m are ignored", label);
+        0.0
     })
 }
 
