@@ -89,12 +89,8 @@ pub(crate) fn casts(extras: &Extras) -> Result<Option<bool>, Fault> {
 
 /// Nearer to a lamp than how many metres nothing casts a shadow, as the extras of its node say; 0 where they do not.
 pub(crate) fn near_of(extras: &Extras) -> Result<f32, Fault> {
-    let read = |said: Value| {
-        said.as_f64()
-            .map(|near| near as f32)
-            .filter(|near| near.is_finite() && *near >= 0.0)
-            .ok_or_else(|| malformed(NEAR))
-    };
+    let float = |said: &Value| said.as_f64().map(|x| x as f32).filter(|x| x.is_finite());
+    let read = |said: Value| float(&said).filter(|near| *near >= 0.0).ok_or_else(|| malformed(NEAR));
     value(extras, NEAR).map_or(Ok(0.0), read)
 }
 

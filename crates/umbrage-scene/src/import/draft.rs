@@ -26,10 +26,10 @@ pub(super) struct Placed {
     pub what: usize,
     pub world_from_it: DMat4,
     pub motion: Motion,
-    /// Whether it casts shadows, as the file itself says; `None` where it does not.
-    pub casts: Option<bool>,
-    /// The name that the file gives it, if any.
+    /// The name in the file; empty where it has none.
     pub name: String,
+    /// Whether it casts shadows, if the file says so.
+    pub casts: Option<bool>,
     /// What a warning calls it.
     pub label: String,
 }

@@ -67,8 +67,8 @@ pub(super) fn read(
         what,
         world_from_it: DMat4::IDENTITY,
         motion: Motion::Still,
-        casts: None,
         name: String::new(),
+        casts: None,
         label: mesh.name.clone(),
     };
     let instances = scene.meshes.iter().enumerate().map(placed).collect();

@@ -30,7 +30,8 @@ pub(super) fn settle(
     let Draft { instances, cameras, lights, path, origin } = draft;
     scene.origin = origin;
     scene.path = path;
-    let (mut flattened, mut said_to_cast) = (HashMap::new(), Vec::new());
+    let mut flattened = HashMap::new();
+    let mut said_to_cast = Vec::new();
     for placed in &instances {
         let rebased = &rebased[placed.what];
         let world_from_mesh = placed.world_from_mesh(rebased);
@@ -49,10 +50,14 @@ pub(super) fn settle(
                 continue;
             }
         };
-        let (world_from_mesh, motion) = (world_from_mesh.as_mat4(), placed.motion);
-        let (name, casts) = (placed.name.clone(), placed.casts.unwrap_or(true));
-        scene.instances.push(Instance { name, mesh, world_from_mesh, motion, casts });
         said_to_cast.push(placed.casts == Some(true));
+        scene.instances.push(Instance {
+            name: placed.name.clone(),
+            mesh,
+            world_from_mesh: world_from_mesh.as_mat4(),
+            motion: placed.motion,
+            casts: placed.casts.unwrap_or(true),
+        });
     }
     domes::let_cast_nothing(scene, &said_to_cast, warnings);
     let is_near = |pose: &DMat4| pose.w_axis.truncate().abs().max_element() <= FARTHEST;
@@ -138,8 +143,8 @@ mod tests {
             what: 0,
             world_from_it: *world_from_it,
             motion: Motion::Still,
-            casts: None,
             name: String::new(),
+            casts: None,
             label: "n".to_owned(),
         };
         let draft = Draft { instances: transforms.iter().map(placed).collect(), ..Draft::default() };

@@ -4,12 +4,11 @@
 //! A required extension stops nothing by being named. What cannot be read because of it is lost where it is read, with
 //! the extension's name.
 
-use super::materials::UNLIT;
 use crate::import::warnings::Warnings;
 
 /// Extensions that are read here. What of a picture's or an instance's extension cannot be read is said there.
 const UNDERSTOOD: [&str; 9] = [
-    UNLIT,
+    super::UNLIT,
     "KHR_lights_punctual",
     "KHR_texture_transform",
     "KHR_mesh_quantization",

@@ -2,10 +2,10 @@
 //!
 //! Source: glTF 2.0, section 3.10, *Cameras*, and the `KHR_lights_punctual` specification.
 
-use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f32::consts::{FRAC_PI_2, PI};
 
 use glam::{Mat4, Vec3};
-use gltf::json::extensions::scene::khr_lights_punctual::{Light as JsonLight, Spot, Type};
+use gltf::json::extensions::scene::khr_lights_punctual::{Light as JsonLight, Type};
 use gltf::json::validation::Checked;
 use gltf::json::{Camera as JsonCamera, Index, Node, Root};
 
@@ -16,9 +16,8 @@ use crate::{Camera, Lens, Light, LightKind, Motion};
 /// An orthographic camera may see from 0 on; whoever takes logarithms of depths cannot. This share of `far` instead.
 const NEAREST_SHARE: f32 = 1e-4;
 
-/// The brightest that a light may be, candela or lux: ten thousand million times the sun on the ground, where f32 still
-/// adds sixteen of them from a millimetre away.
-const BRIGHTEST: f32 = 1e15;
+/// Half the angle of a spot that has none, radians: about that of a laser.
+const LEAST_HALF_ANGLE: f32 = 1e-3;
 
 /// The camera at a node; `far` is infinite where the file gives none.
 pub(super) fn camera(root: &Root, index: Index<JsonCamera>, node: &Node) -> Result<Camera, Fault> {
@@ -53,63 +52,44 @@ pub(super) fn camera(root: &Root, index: Index<JsonCamera>, node: &Node) -> Resu
     Ok(Camera { name, world_from_camera: Mat4::IDENTITY, lens, near, far })
 }
 
-/// The light at a node, which moves so. Numbers that a light cannot have become the nearest that it can, with a warning.
+/// The light at a node. Numbers that give no light are kept, except that whoever draws must leave it out; angles that no
+/// spot can have are replaced by the nearest that one can.
 pub(super) fn light(
     root: &Root,
     index: Index<JsonLight>,
     node: &Node,
-    motion: Motion,
     warnings: &mut Warnings,
 ) -> Result<Light, Fault> {
     let lights: &[JsonLight] = root.as_ref();
     let light = &lights[index.value()];
     let name =
         node.name.as_ref().or(light.name.as_ref()).cloned().unwrap_or_else(|| format!("light {index}"));
-    let mut odd = |what: String| warnings.note("lights with impossible numbers are mended", &what);
-    let intensity = light.intensity;
-    if intensity.is_nan() || intensity < 0.0 {
-        return Err(Fault(format!("its intensity is {intensity}, need 0 or more")));
-    }
-    if intensity > BRIGHTEST {
-        odd(format!("{name}, its intensity {intensity:e} becomes {BRIGHTEST:e}"));
-    }
-    let intensity = intensity.min(BRIGHTEST);
-    let colour = Vec3::from(light.color);
-    let possible = Vec3::from(light.color.map(|c| if c.is_finite() { c.max(0.0) } else { 1.0 }));
-    if possible != colour {
-        odd(format!("{name}, its colour {colour} becomes {possible}"));
-    }
-    let range = match light.range {
-        Some(range) if range.is_nan() || range <= 0.0 => {
-            odd(format!("{name}, its range of {range} m is ignored"));
-            f32::INFINITY
-        }
-        Some(range) => range,
-        None => f32::INFINITY,
-    };
-    let kind = match light.type_ {
-        Checked::Valid(Type::Directional) => LightKind::Directional,
-        Checked::Valid(Type::Point) => LightKind::Point { range },
-        Checked::Valid(Type::Spot) => {
-            let spot =
-                light.spot.clone().unwrap_or(Spot { inner_cone_angle: 0.0, outer_cone_angle: FRAC_PI_4 });
+    let (colour, intensity) = (Vec3::from(light.color), light.intensity);
+    let range = light.range.unwrap_or(f32::INFINITY);
+    let kind = match (light.type_, &light.spot) {
+        (Checked::Valid(Type::Directional), _) => LightKind::Directional,
+        (Checked::Valid(Type::Point), _) => LightKind::Point { range },
+        (Checked::Valid(Type::Spot), Some(spot)) => {
             let (inner, outer) = (spot.inner_cone_angle, spot.outer_cone_angle);
-            let within = cone(inner, outer);
-            if within != (inner, outer) {
-                odd(format!(
-                    "{name}, its half angles {inner} and {outer} radians become {} and {}",
-                    within.0, within.1
-                ));
+            let is_a_cone = 0.0 <= inner && inner <= outer && 0.0 < outer && outer <= FRAC_PI_2;
+            if !is_a_cone {
+                warnings.note("spots whose half angles are not 0 <= inner <= outer <= π/2 are mended", &name);
             }
-            LightKind::Spot { inner: within.0, outer: within.1, range }
+            let outer = if is_a_cone { outer } else { outer.clamp(LEAST_HALF_ANGLE, FRAC_PI_2) };
+            let inner = if is_a_cone { inner } else { inner.clamp(0.0, outer) };
+            LightKind::Spot { inner, outer, range }
         }
-        Checked::Invalid => return Err(Fault("it is no directional, point or spot light".to_owned())),
+        (Checked::Valid(Type::Spot) | Checked::Invalid, _) => {
+            return Err(Fault(format!("light {name:?} is of no kind")));
+        }
     };
-    Ok(Light { name, world_from_light: Mat4::IDENTITY, colour: possible, intensity, kind, near: 0.0, motion })
-}
-
-/// The half angles of a cone that holds 0 <= inner <= outer <= π/2 and 0 < outer.
-fn cone(inner: f32, outer: f32) -> (f32, f32) {
-    let outer = if outer > 0.0 { outer.min(FRAC_PI_2) } else { FRAC_PI_4 };
-    (if inner > 0.0 { inner.min(outer) } else { 0.0 }, outer)
+    Ok(Light {
+        name,
+        world_from_light: Mat4::IDENTITY,
+        colour,
+        intensity,
+        kind,
+        near: 0.0,
+        motion: Motion::Still,
+    })
 }

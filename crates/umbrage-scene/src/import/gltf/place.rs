@@ -28,8 +28,8 @@ pub(super) fn place(
                 what: mesh,
                 world_from_it: world_from_node,
                 motion,
-                casts: casts(&node.extras, &label, warnings),
                 name: node.name.clone().unwrap_or_default(),
+                casts: casts(&node.extras, &label, warnings),
                 label: label.clone(),
             });
             note_lost(document, node, &label, warnings);
@@ -127,15 +127,18 @@ fn hang_light(
     if let Some(why) = document.broken.get(&("lights", khr.light.value())) {
         return left_out(why, warnings);
     }
-    let light = match lenses::light(&document.root, khr.light, node, motion, warnings) {
-        Ok(light) => Light { near: near(node, label, warnings), ..light },
+    let light = match lenses::light(&document.root, khr.light, node, warnings) {
+        Ok(light) => light,
         Err(fault) => return left_out(&fault.0, warnings),
     };
     let is_point = matches!(light.kind, crate::LightKind::Point { .. });
     // What shines in all directions needs none.
     let place = || is_point.then(|| DMat4::from_translation(world_from_node.w_axis.truncate()));
     match nodes::rigid(world_from_node).or_else(place) {
-        Some(pose) => draft.lights.push((light, pose)),
+        Some(pose) => {
+            let near = near(node, &light.name, warnings);
+            draft.lights.push((Light { motion, near, ..light }, pose));
+        }
         None => left_out("it is scaled to nothing", warnings),
     }
 }
