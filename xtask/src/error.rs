@@ -31,8 +31,8 @@ fn page(results: &Value) -> Option<String> {
         "# How wrong the default is\n\n\
          Written by `cargo xtask error`; do not edit. `umbrage report experiments/{EXPERIMENT}.toml -o DIR` makes the page with pictures.\n\n\
          Adapter: {}.\nCommit: {}.\nPictures of {} x {} pixels, four maps of 1024².\n\
-         Shares are of the pixels whose surface faces the sun. Edges are displaced by so many pixels in the mean.\n\n\
-         | world | camera | mis-shadowed | false shadow | false light | acne | edges |\n|---|---|---|---|---|---|---|\n",
+         Shares are of the pixels whose surface faces the sun, however aslant. Visibility is off by the mean error, 0 to 1, which also counts shades that stay on the right side of one half. Edges are displaced by so many pixels in the mean.\n\n\
+         | world | camera | mis-shadowed | mean error | false shadow | false light | acne | edges |\n|---|---|---|---|---|---|---|---|\n",
         first["adapter"].as_str()?,
         rows.first()?["machine"]["commit"].as_str()?,
         first["width"],
@@ -49,10 +49,11 @@ fn page(results: &Value) -> Option<String> {
             .map_or_else(|| "none".to_owned(), |px| format!("{px:.3} px"));
         writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {edges} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {edges} |",
             measurement["world"].as_str()?,
             measurement["camera"].as_str()?,
             percent(&error["mis_shadowed"]),
+            error["mae"].as_f64().map_or_else(|| "none".to_owned(), |mae| format!("{mae:.4}")),
             percent(&error["false_shadow"]),
             percent(&error["false_light"]),
             percent(&error["causes"]["acne"]),
@@ -60,16 +61,19 @@ fn page(results: &Value) -> Option<String> {
         .ok()?;
     }
     text += "\n## Each choice undone\n\nMeans over all worlds and all cameras but those that look into the sun; in brackets the worst of them.\n\n\
-             | variant | mis-shadowed | false shadow | false light | acne |\n|---|---|---|---|---|\n";
+             | variant | mis-shadowed | mean error | false shadow | false light | acne |\n|---|---|---|---|---|---|\n";
     for (variant, measurements) in by_variant(rows)? {
         let figure = |pointer: &str| -> Option<String> {
             let shares =
                 measurements.iter().map(|m| m.pointer(pointer)?.as_f64()).collect::<Option<Vec<f64>>>()?;
             let mean = shares.iter().sum::<f64>() / shares.len() as f64;
             let worst = shares.iter().copied().fold(0.0, f64::max);
-            Some(format!("{:.3} % ({:.3} %)", 100.0 * mean, 100.0 * worst))
+            Some(match pointer {
+                "/error/mae" => format!("{mean:.4} ({worst:.4})"),
+                _ => format!("{:.3} % ({:.3} %)", 100.0 * mean, 100.0 * worst),
+            })
         };
-        let figures = ["mis_shadowed", "false_shadow", "false_light", "causes/acne"];
+        let figures = ["mis_shadowed", "mae", "false_shadow", "false_light", "causes/acne"];
         let cells =
             figures.map(|key| figure(&format!("/error/{key}"))).into_iter().collect::<Option<Vec<_>>>()?;
         writeln!(text, "| {variant} | {} |", cells.join(" | ")).ok()?;

@@ -66,6 +66,17 @@ pub struct PlaceArgs {
     pub target: Option<Vec3>,
 }
 
+/// What casts shadows.
+#[derive(Clone, Debug, Default, Args)]
+pub struct CastArgs {
+    /// Let nothing that is so called cast shadows: a node, a mesh, or a material; repeatable
+    #[arg(long, value_name = "NAME")]
+    pub no_cast: Vec<String>,
+    /// Let what is so called cast shadows where the world says that it casts none, or where it is a sky; repeatable
+    #[arg(long, value_name = "NAME")]
+    pub cast: Vec<String>,
+}
+
 /// Which world, from where, lit how.
 #[derive(Debug, Args)]
 pub struct WorldArgs {
@@ -85,9 +96,15 @@ pub struct WorldArgs {
     /// The way sunlight travels: a sun instead of the world's lights
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::vec3, allow_hyphen_values = true)]
     pub sun: Option<Vec3>,
-    /// One of the world's lights, by number from 0 or by name; repeatable. All of them where it is not given
+    /// One of the world's lights, by number from 0 or by name; repeatable. The brightest 16 as seen from the camera where it is
+    /// not given
     #[arg(long, value_name = "N", conflicts_with = "sun")]
     pub light: Vec<String>,
+    /// Nearer to a lamp than this nothing casts a shadow, metres: what the world says of each lamp where it is not given
+    #[arg(long, value_name = "M", value_parser = parse::distance, allow_negative_numbers = true)]
+    pub near_light: Option<f32>,
+    #[command(flatten)]
+    pub casting: CastArgs,
     /// Size of the picture, pixels; 1280x720, or 640x360 to measure
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     pub size: Option<(u32, u32)>,

@@ -2,9 +2,9 @@
 
 use umbrage_lab::{LabError, Shot};
 use umbrage_render::{Frame, Show};
-use umbrage_scene::{Camera, Lens, Light, Scene};
+use umbrage_scene::{Camera, Lens, Light, NoSuchName, Scene, Shining};
 
-use crate::args::WorldArgs;
+use crate::args::{CastArgs, WorldArgs};
 use crate::failure::{Failure, Outcome};
 
 /// A built-in world, or one from a file. What the file's importer warns of goes to stderr.
@@ -13,62 +13,100 @@ pub fn load(name: &str, seed: u64) -> Outcome<Scene> {
         LabError::World { .. } => Failure::usage(why),
         why => Failure::Work(why.into()),
     })?;
-    for warning in &imported.warnings {
+    warn(&imported.warnings);
+    Ok(imported.scene)
+}
+
+/// The world that the command line names, in which casts shadows what it wants to.
+pub fn open(args: &WorldArgs) -> Outcome<Scene> {
+    let mut scene = load(&args.world, args.seed)?;
+    let_cast(&mut scene, &args.casting)?;
+    Ok(scene)
+}
+
+/// Lets cast shadows what the command line wants to, and nothing that it does not.
+pub fn let_cast(scene: &mut Scene, CastArgs { no_cast, cast }: &CastArgs) -> Outcome {
+    let wanted = cast.iter().map(|name| (name, true)).chain(no_cast.iter().map(|name| (name, false)));
+    for (name, casts) in wanted {
+        scene.set_casts(name, casts).map_err(|NoSuchName { wanted, near }| {
+            let near = if near.is_empty() { "nothing here has a name".to_owned() } else { near.join(", ") };
+            Failure::usage(format!("no node, mesh or material is called `{wanted}`; most like it: {near}"))
+        })?;
+    }
+    Ok(())
+}
+
+/// Says on stderr what one would want to know.
+pub fn warn(warnings: &[String]) {
+    for warning in warnings {
         eprintln!("warning: {warning}");
     }
-    Ok(imported.scene)
 }
 
 /// Size of a picture where the command line does not say, pixels.
 pub const PICTURE: (u32, u32) = (1280, 720);
 
-/// What the command line wants drawn of a scene.
-pub fn frame(args: &WorldArgs, scene: &Scene, show: Show) -> Outcome<Frame> {
-    let frame = shot(args, scene, PICTURE)?.frame(show).map_err(Failure::usage)?;
-    Ok(Frame { samples: 4, ..frame })
+/// What a shot shows, drawn for people.
+pub fn frame(shot: &Shot, show: Show) -> Outcome<Frame> {
+    Ok(Frame { samples: 4, ..shot.frame(show).map_err(Failure::usage)? })
 }
 
-/// What the command line wants a picture of, `size` pixels large where it does not say.
+/// What the command line wants a picture of, `size` pixels large where it does not say. Lights that are left out are named
+/// on stderr.
 pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> {
     let (width, height) = args.size.unwrap_or(size);
     if !args.time.is_finite() {
         return Err(Failure::usage(format!("--time must be finite, got {} s", args.time)));
     }
-    let (camera, lights) = (camera(args, scene)?, lights(args, scene)?);
+    let camera = camera(args, scene)?;
+    let lights = lights(args, scene, &camera)?;
     let shot = Shot { camera, lights, seconds: args.time, width, height };
     // Whatever cannot be drawn is refused here, before any work is done.
     shot.frame(Show::World).map_err(Failure::usage)?;
     Ok(shot)
 }
 
-/// The lights that shine: a sun from the command line, or those of the world that it names, or all of them.
-fn lights(args: &WorldArgs, scene: &Scene) -> Outcome<Vec<Light>> {
+/// The lights that shine: a sun from the command line, or those of the world that it names, or all of them; the brightest
+/// where they are too many.
+fn lights(args: &WorldArgs, scene: &Scene, camera: &Camera) -> Outcome<Vec<Light>> {
     if let Some(direction) = args.sun {
         // It is refused here, by the words that were given.
         umbrage::Light::directional(direction).map_err(Failure::usage)?;
         return Ok(vec![Light::sun(direction, 1.0)]);
     }
-    let lights: Vec<Light> = match args.light[..] {
-        [] => scene.lights.clone(),
+    let wanted: Vec<&Light> = match args.light[..] {
+        [] => scene.lights.iter().collect(),
         _ => args.light.iter().map(|wanted| choose_light(wanted, &scene.lights)).collect::<Outcome<_>>()?,
     };
-    match lights.len() {
-        0 => Err(Failure::usage("this world has no light; give one with --sun X,Y,Z")),
-        1..=umbrage::MAX_LIGHTS => Ok(lights),
-        many => Err(Failure::usage(format!(
-            "{many} lights are too many, at most {} shine at once; choose with --light",
-            umbrage::MAX_LIGHTS
-        ))),
+    let Shining { mut lights, warnings } = Shining::choose(wanted, camera, args.time, umbrage::MAX_LIGHTS);
+    if lights.is_empty() {
+        return Err(Failure::usage("this world has no light; give one with --sun X,Y,Z"));
     }
+    warn(&warnings);
+    for light in &mut lights {
+        light.near = args.near_light.unwrap_or(light.near);
+    }
+    Ok(lights)
 }
 
-fn choose_light(wanted: &str, lights: &[Light]) -> Outcome<Light> {
+fn choose_light<'a>(wanted: &str, lights: &'a [Light]) -> Outcome<&'a Light> {
     let by_number = wanted.parse::<usize>().ok().and_then(|number| lights.get(number));
     let light = by_number.or_else(|| lights.iter().find(|light| light.name == wanted));
-    light.cloned().ok_or_else(|| {
-        let names = lights.iter().enumerate().map(|(i, light)| format!("{i} ({})", light.name));
-        Failure::usage(format!("no light `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
+    light.ok_or_else(|| {
+        let names = lights.iter().map(|light| light.name.as_str());
+        Failure::usage(format!("no light `{wanted}`; there are {}", listed(names)))
     })
+}
+
+/// Names with their numbers, the first few of them.
+fn listed<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+    /// As many as fill a few lines.
+    const LISTED: usize = 32;
+    let more = names.len().saturating_sub(LISTED);
+    let listed: Vec<String> =
+        names.take(LISTED).enumerate().map(|(i, name)| format!("{i} ({name})")).collect();
+    let listed = listed.join(", ");
+    if more > 0 { format!("{listed} and {more} more") } else { listed }
 }
 
 fn camera(args: &WorldArgs, scene: &Scene) -> Outcome<Camera> {
@@ -95,7 +133,7 @@ fn choose<'a>(wanted: Option<&str>, cameras: &'a [Camera]) -> Outcome<&'a Camera
     let by_name = |wanted: &str| cameras.iter().find(|camera| camera.name == wanted);
     let wanted = wanted.unwrap_or("0");
     by_number(wanted).or_else(|| by_name(wanted)).ok_or_else(|| {
-        let names = cameras.iter().enumerate().map(|(i, camera)| format!("{i} ({})", camera.name));
-        Failure::usage(format!("no camera `{wanted}`; there are {}", names.collect::<Vec<_>>().join(", ")))
+        let names = cameras.iter().map(|camera| camera.name.as_str());
+        Failure::usage(format!("no camera `{wanted}`; there are {}", listed(names)))
     })
 }

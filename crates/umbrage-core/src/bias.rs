@@ -30,7 +30,12 @@ pub struct BiasMetres {
     pub along_normal: f32,
     /// The distance toward the light, metres.
     pub toward_light: f32,
+    /// How much farther toward the light it is for each texel that a comparison lies beyond [`OWN_TEXEL`], metres.
+    pub bend: f32,
 }
+
+/// A texel stores what lies up to so many texels from its centre: half of its diagonal.
+pub(crate) const OWN_TEXEL: f32 = 0.7;
 
 /// The depth that each texel around a receiver is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -66,13 +71,15 @@ impl Settings {
         let sine = (1.0 - cosine * cosine).sqrt();
         let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
         let texel_metres = texel_basis.texel_metres();
+        let bend = bias.bend * texel_metres * (1.0 + tangent * tangent).sqrt();
         let texels = bias.normal * self.filter.offset_reach_texels(texel_metres);
         BiasMetres {
             along_normal: match self.compare_depth() {
                 CompareDepth::Plane | CompareDepth::Facing => texel_basis.normal_offset(normal, texels),
                 CompareDepth::Own => texel_basis.normal_offset_over_stored(normal, to_light, texels),
             },
-            toward_light: bias.constant + bias.slope * texel_metres * tangent,
+            toward_light: bias.constant + bias.slope * texel_metres * tangent + OWN_TEXEL * bend,
+            bend,
         }
     }
 
@@ -110,6 +117,7 @@ pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
         constant: f64::from(bias.constant),
         slope: f64::from(bias.slope),
         slope_limit: f64::from(bias.slope_limit),
+        bend: f64::from(bias.bend * filter.reach_texels().max(OWN_TEXEL)),
         raster_texels: 2.0 * f64::from(RASTER_STEP_TEXELS * STEEPEST_PLANE),
     }
 }

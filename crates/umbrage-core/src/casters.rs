@@ -30,6 +30,10 @@ impl CasterPolicy {
         if sees_nothing || input.bounds.world.is_empty() {
             return ConvexVolume::empty();
         }
+        // Nothing within a bulb casts. A pass that flattens would draw it, so it is not listed.
+        if projection.space.apex.is_some() && !input.flattens_casters {
+            return ConvexVolume::in_map(projection.rows());
+        }
         let is_plain = projection.space.apex.is_none() && projection.homography.is_rotation();
         match self {
             Self::BeforeReceivers if is_plain && !input.is_shared => {

@@ -107,11 +107,23 @@ impl ConvexVolume {
     /// are those of its clip matrix.
     pub(crate) fn over_map(rows: [DVec4; 4]) -> Self {
         let [x, y, z, w] = rows;
-        let planes = [w + x, w - x, w + y, w - y, z].map(|row| {
+        Self::between(&[w + x, w - x, w + y, w - y, z])
+    }
+
+    /// The same, from its near plane on.
+    pub(crate) fn in_map(rows: [DVec4; 4]) -> Self {
+        let [x, y, z, w] = rows;
+        Self::between(&[w + x, w - x, w + y, w - y, z, w - z])
+    }
+
+    /// Where all rows are positive, and a little more.
+    fn between(rows: &[DVec4]) -> Self {
+        let plane = |row: &DVec4| {
             let length = row.truncate().length();
             PlaneF64 { normal: row.truncate() / length, distance: row.w / length }
-        });
-        let usable = || planes.iter().filter(|plane| plane.normal.is_finite() && plane.distance.is_finite());
+        };
+        let usable =
+            || rows.iter().map(plane).filter(|plane| plane.normal.is_finite() && plane.distance.is_finite());
         let size = usable().map(|plane| plane.distance.abs()).fold(0.0, f64::max);
         let mut volume = Self::default();
         usable().for_each(|plane| volume.add(plane.widened(MARGIN * size)));

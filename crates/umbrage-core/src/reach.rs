@@ -17,6 +17,8 @@ pub(crate) struct Reach {
     pub slope: f64,
     /// The largest such tangent.
     pub slope_limit: f64,
+    /// How far toward the light a comparison at the end of its reach is moved over the cosine of that angle, in texels.
+    pub bend: f64,
     /// How far toward the light rounded corners may move what is stored, in texels.
     pub raster_texels: f64,
 }
@@ -35,6 +37,7 @@ impl Reach {
         std::f64::consts::SQRT_2 * self.offset_texels * texel_metres
             + self.constant
             + self.slope * texel_metres * self.slope_limit
+            + std::f64::consts::SQRT_2 * self.bend * texel_metres * (1.0 + self.slope_limit)
             + self.plane_depth_texels * texel_metres
             + self.raster_texels * texel_metres
     }

@@ -2,17 +2,20 @@
 //! the BVH. They are no file format: the program that reads them must be the one that wrote them.
 
 use bytemuck::pod_collect_to_vec;
-use glam::Vec3;
+use glam::DVec3;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 
-use crate::world::{Triangles, World};
+use crate::triangles::Triangles;
+use crate::unit_box::UnitBox;
+use crate::world::World;
 
 /// The numbers of triangles and of nodes that follow, and the depth of the BVH.
 type Header = [u64; 3];
 
 const HEADER: usize = size_of::<Header>();
-const CORNERS: usize = size_of::<[Vec3; 3]>();
+const CORNERS: usize = size_of::<[DVec3; 3]>();
+const ROUNDING: usize = size_of::<f32>();
 const NODE: usize = size_of::<Bvh2Node>();
 
 impl Triangles {
@@ -44,18 +47,21 @@ impl World {
             u64::from(node.first_index) + u64::from(count) <= all as u64
         };
         let is_whole = nodes.is_empty() == triangles.corners.is_empty() && nodes.iter().all(is_inside);
-        is_whole.then_some(Self { triangles, bvh })
+        let cube = UnitBox::around(triangles.corners.iter().flatten());
+        is_whole.then_some(Self { triangles, bvh, cube })
     }
 }
 
-fn joined(Triangles { corners, still }: &Triangles, bvh: Option<&Bvh2>) -> Vec<u8> {
+fn joined(Triangles { corners, rounding, still, casts }: &Triangles, bvh: Option<&Bvh2>) -> Vec<u8> {
     let nodes = bvh.map_or(&[][..], |bvh| &bvh.nodes);
     let header: Header =
         [corners.len(), nodes.len(), bvh.map_or(0, |bvh| bvh.max_depth)].map(|count| count as u64);
-    let mut bytes = Vec::with_capacity(HEADER + corners.len() * (CORNERS + 1) + nodes.len() * NODE);
+    let mut bytes =
+        Vec::with_capacity(HEADER + corners.len() * (CORNERS + ROUNDING + 2) + nodes.len() * NODE);
     bytes.extend_from_slice(bytemuck::bytes_of(&header));
     bytes.extend_from_slice(bytemuck::cast_slice(corners));
-    bytes.extend(still.iter().map(|still| u8::from(*still)));
+    bytes.extend_from_slice(bytemuck::cast_slice(rounding));
+    bytes.extend(still.iter().chain(casts).map(|yes| u8::from(*yes)));
     bytes.extend_from_slice(bytemuck::cast_slice(nodes));
     bytes
 }
@@ -67,18 +73,26 @@ fn parted(bytes: &[u8]) -> Option<(Triangles, Option<Bvh2>)> {
         bytemuck::pod_read_unaligned::<Header>(header).map(|count| usize::try_from(count).ok());
     let (triangles, nodes, max_depth) = (triangles?, nodes?, max_depth?);
     let (corners, rest) = rest.split_at_checked(triangles.checked_mul(CORNERS)?)?;
+    let (rounding, rest) = rest.split_at_checked(triangles.checked_mul(ROUNDING)?)?;
     let (still, rest) = rest.split_at_checked(triangles)?;
+    let (casts, rest) = rest.split_at_checked(triangles)?;
     if rest.len() != nodes.checked_mul(NODE)? {
         return None;
     }
     let bvh = (nodes > 0).then(|| Bvh2 { nodes: pod_collect_to_vec(rest), max_depth, ..Bvh2::default() });
-    let still = still.iter().map(|still| *still != 0).collect();
-    Some((Triangles { corners: pod_collect_to_vec(corners), still }, bvh))
+    let flags = |bytes: &[u8]| bytes.iter().map(|yes| *yes != 0).collect();
+    let triangles = Triangles {
+        corners: pod_collect_to_vec(corners),
+        rounding: pod_collect_to_vec(rounding),
+        still: flags(still),
+        casts: flags(casts),
+    };
+    Some((triangles, bvh))
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
+    use glam::Vec3;
     use umbrage_scene::worlds;
 
     use super::*;
@@ -120,7 +134,7 @@ mod tests {
             assert!(World::from_bytes(&bytes[..end]).is_none(), "cut at {end}");
         }
         assert!(Triangles::from_bytes(&bytes).is_none(), "a world is not triangles");
-        let triangles = Triangles { corners: world.triangles().to_vec(), still: vec![true; 9] };
+        let triangles = Triangles::in_world(&[[Vec3::ZERO, Vec3::X, Vec3::Y]; 9]);
         assert!(World::from_bytes(&triangles.to_bytes()).is_none(), "triangles are no world");
         let mut lost = bytes;
         let last = lost.len() - NODE;

@@ -4,7 +4,8 @@
 
 use glam::DVec3;
 
-use crate::truth::{Receiver, shadow_ray};
+use crate::shadow_ray::ShadowRay;
+use crate::truth::Receiver;
 use crate::{Truth, Verdict, World};
 
 /// The shares of judged pixels that are wrong, each 0 to 1, by cause. Together they are [`crate::Error::mis_shadowed`].
@@ -69,7 +70,7 @@ pub(crate) fn cause(
     };
     let to_light = toward.direction;
     let texel = f64::from(texel_metres);
-    let cosine = receiver.normal.dot(to_light).clamp(1e-3, 1.0);
+    let cosine = receiver.normal.dot(to_light).clamp(1e-6, 1.0);
     let tangent = (1.0 - cosine * cosine).sqrt() / cosine;
     let pixels_a_texel = texel / cosine / truth.eye.pixel_metres(receiver.depth);
     if texel == 0.0 && verdict == Verdict::FalseLight {
@@ -108,14 +109,13 @@ fn is_own_surface(
     steps.iter().all(|x| {
         steps.iter().all(|y| {
             let beside = receiver.position + (right * *x + up * *y) * texel;
-            let (ray, end) = truth.light.ray_from(beside, 1.0);
-            !world.is_blocked(&ray, tolerance, end)
+            !world.is_cast_on(&ShadowRay::new(&truth.light, beside, 1.0), tolerance)
         })
     })
 }
 
 /// The distance from a receiver to the nearest blocker toward the light, metres; infinite where there is none.
 fn blocker_distance(world: &World, truth: &Truth, receiver: &Receiver) -> f64 {
-    let (ray, end) = shadow_ray(&truth.light, receiver, 1.0);
-    world.first_hit(&ray, 0.0, end).map_or(f64::INFINITY, |hit| hit.distance)
+    let to_light = ShadowRay::of(world, &truth.light, receiver, 1.0);
+    world.first_caster(&to_light).map_or(f64::INFINITY, |hit| hit.distance)
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::causes::{Causes, cause};
 use crate::statistics::rank;
-use crate::{Edges, Pixel, Smooth, Truth, Verdict, World};
+use crate::{Edges, Smooth, Truth, Verdict, World};
 
 /// The result of a shadow technique for one light in one picture: what is judged.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +32,7 @@ pub struct Error {
     pub false_light: f64,
     /// Root mean square error of visibility.
     pub rmse: f64,
-    /// Mean absolute error of visibility.
+    /// Mean absolute error of visibility: it also counts shades that stay on the right side of one half.
     pub mae: f64,
     /// Mean signed error of visibility; above 0 where shadows are too bright.
     pub bias: f64,
@@ -58,6 +58,8 @@ pub struct DepthBand {
     pub pixels: usize,
     /// Share of pixels that are wrong in either direction; 0 where no pixel is judged.
     pub mis_shadowed: f64,
+    /// Mean absolute error of visibility, against the hard truth; 0 where no pixel is judged.
+    pub mae: f64,
     /// Share of pixels that are falsely shadowed; 0 where no pixel is judged.
     pub false_shadow: f64,
     /// Share of pixels that are falsely lit; 0 where no pixel is judged.
@@ -125,13 +127,14 @@ impl Error {
 
 /// Says what is wrong between two view depths.
 pub(crate) fn band(truth: &Truth, edges: &Edges, visibility: &[f32], depths: Range<f64>) -> DepthBand {
-    let (mut pixels, mut shadow, mut light, mut length) = (0, 0, 0, 0.0);
+    let (mut pixels, mut shadow, mut light, mut length, mut missed) = (0, 0, 0, 0.0, 0.0);
     for (i, pixel) in truth.pixels.iter().enumerate() {
         let inside = truth.receivers[i].is_some_and(|receiver| depths.contains(&receiver.depth));
-        if !inside || !pixel.is_judged() {
+        let Some(miss) = pixel.miss(visibility[i]).filter(|_| inside) else {
             continue;
-        }
+        };
         pixels += 1;
+        missed += miss;
         length += f64::from(edges.length_at[i]);
         match Verdict::new(Some(*pixel), visibility[i]) {
             Verdict::FalseShadow => shadow += 1,
@@ -144,6 +147,7 @@ pub(crate) fn band(truth: &Truth, edges: &Edges, visibility: &[f32], depths: Ran
         depths: [depths.start, depths.end],
         pixels,
         mis_shadowed: share(shadow + light),
+        mae: missed / pixels.max(1) as f64,
         false_shadow: share(shadow),
         false_light: share(light),
         edge_displacement_px: (length > 0.0).then(|| (shadow + light) as f64 / length),
@@ -167,8 +171,7 @@ fn decades(truth: &Truth, edges: &Edges, visibility: &[f32]) -> Vec<DepthBand> {
 
 /// The result's visibility less the true one, for every judged pixel.
 pub(crate) fn differences(truth: &Truth, smooth: Option<&Smooth>, visibility: &[f32]) -> Vec<f64> {
-    let hard = |pixel: Pixel| if pixel == Pixel::Lit { 1.0 } else { 0.0 };
-    let judged = (0..truth.pixels.len()).filter(|i| truth.pixels[*i].is_judged());
-    let truth_at = |i: usize| smooth.map_or_else(|| hard(truth.pixels[i]), |smooth| smooth.visibility[i]);
-    judged.map(|i| f64::from(visibility[i]) - f64::from(truth_at(i))).collect()
+    let hard = truth.pixels.iter().enumerate().filter_map(|(i, pixel)| Some((i, pixel.visibility()?)));
+    let truth_at = |i: usize, hard: f32| smooth.map_or(hard, |smooth| smooth.visibility[i]);
+    hard.map(|(i, hard)| f64::from(visibility[i]) - f64::from(truth_at(i, hard))).collect()
 }

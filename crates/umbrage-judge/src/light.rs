@@ -3,9 +3,6 @@
 use glam::{DVec3, Vec3};
 use umbrage_scene::LightKind;
 
-use crate::Ray;
-use crate::truth::epsilon;
-
 /// A light as the judge needs it: where its rays come from, without colour and strength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
@@ -24,6 +21,8 @@ pub enum Light {
         cos_outer: f64,
         /// The distance at which light ends, in metres; may be infinite.
         range: f64,
+        /// The distance nearer than which nothing casts a shadow, in metres; 0 where anything does.
+        near: f64,
     },
     /// A point light, which shines in all directions.
     Point {
@@ -31,6 +30,8 @@ pub enum Light {
         position: DVec3,
         /// The distance at which light ends, in metres; may be infinite.
         range: f64,
+        /// The distance nearer than which nothing casts a shadow, in metres; 0 where anything does.
+        near: f64,
     },
 }
 
@@ -67,6 +68,8 @@ impl Light {
         let world_from_light = light.world_from_light_at(seconds);
         let position = world_from_light.w_axis.truncate().as_dvec3();
         let along = -world_from_light.z_axis.truncate();
+        // NaN is no distance.
+        let near = f64::from(light.near.max(0.0));
         match light.kind {
             LightKind::Directional => Self::sun(along),
             LightKind::Spot { inner: _, outer, range } => Self::Spot {
@@ -74,8 +77,9 @@ impl Light {
                 along: along.as_dvec3().normalize_or(DVec3::NEG_Z),
                 cos_outer: f64::from(outer).cos(),
                 range: f64::from(range),
+                near,
             },
-            LightKind::Point { range } => Self::Point { position, range: f64::from(range) },
+            LightKind::Point { range } => Self::Point { position, range: f64::from(range), near },
         }
     }
 
@@ -84,22 +88,10 @@ impl Light {
     pub fn toward(&self, point: DVec3) -> Option<Toward> {
         match *self {
             Self::Sun { to_light } => Some(Toward { direction: to_light, distance: f64::INFINITY }),
-            Self::Spot { position, along, cos_outer, range } => {
+            Self::Spot { position, along, cos_outer, range, near: _ } => {
                 Toward::new(point, position, range).filter(|toward| -toward.direction.dot(along) > cos_outer)
             }
-            Self::Point { position, range } => Toward::new(point, position, range),
-        }
-    }
-
-    /// The ray from a point to the light, and how far along it the light is, metres: what lies farther does not shadow.
-    /// It ends so many ε before the light, which may stand on a surface.
-    pub(crate) fn ray_from(&self, origin: DVec3, epsilons: f64) -> (Ray, f64) {
-        match *self {
-            Self::Sun { to_light } => (Ray::new(origin, to_light), f64::INFINITY),
-            Self::Spot { position, .. } | Self::Point { position, .. } => {
-                let (direction, distance) = (position - origin).normalize_and_length();
-                (Ray::new(origin, direction), distance - epsilons * epsilon(position))
-            }
+            Self::Point { position, range, near: _ } => Toward::new(point, position, range),
         }
     }
 
@@ -118,8 +110,8 @@ impl Light {
             let aside = (right * x + up * y) * size;
             match light {
                 Self::Sun { to_light } => Self::Sun { to_light: (to_light + aside).normalize_or(to_light) },
-                Self::Spot { position, .. } | Self::Point { position, .. } => {
-                    Self::Point { position: position + aside, range: f64::INFINITY }
+                Self::Spot { position, near, .. } | Self::Point { position, near, .. } => {
+                    Self::Point { position: position + aside, range: f64::INFINITY, near }
                 }
             }
         }
@@ -135,7 +127,7 @@ mod tests {
     /// A spot at the origin that shines down.
     fn spot(half_angle_degrees: f64, range: f64) -> Light {
         let cos_outer = half_angle_degrees.to_radians().cos();
-        Light::Spot { position: DVec3::ZERO, along: DVec3::NEG_Y, cos_outer, range }
+        Light::Spot { position: DVec3::ZERO, along: DVec3::NEG_Y, cos_outer, range, near: 0.0 }
     }
 
     #[test]
@@ -144,17 +136,22 @@ mod tests {
         let Light::Sun { to_light } = sun else { panic!("a sun, not {sun:?}") };
         assert!(to_light.distance(DVec3::Y) < 1e-6, "{to_light}");
         let point = Light::of(&Described::point("p", Vec3::new(1.0, 2.0, 3.0), f32::INFINITY, 5.0));
-        assert_eq!(point, Light::Point { position: DVec3::new(1.0, 2.0, 3.0), range: f64::INFINITY });
+        assert_eq!(
+            point,
+            Light::Point { position: DVec3::new(1.0, 2.0, 3.0), range: f64::INFINITY, near: 0.0 }
+        );
         let outer = 60f32.to_radians();
         let spot = Light::of(&Described::spot("s", Vec3::Y, Vec3::NEG_Y, 0.1, outer, 9.0, 5.0));
-        let Light::Spot { position, along, cos_outer, range } = spot else { panic!("a spot, not {spot:?}") };
+        let Light::Spot { position, along, cos_outer, range, near: _ } = spot else {
+            panic!("a spot, not {spot:?}")
+        };
         assert!(position == DVec3::Y && range == 9.0, "{spot:?}");
         assert!(along.distance(DVec3::NEG_Y) < 1e-6 && (cos_outer - 0.5).abs() < 1e-6, "{spot:?}");
     }
 
     #[test]
     fn a_point_light_is_as_far_as_it_is_and_shines_short_of_its_range() {
-        let light = |range| Light::Point { position: DVec3::new(3.0, 4.0, 0.0), range };
+        let light = |range| Light::Point { position: DVec3::new(3.0, 4.0, 0.0), range, near: 0.0 };
         for range in [f64::INFINITY, 5.1] {
             let toward = light(range).toward(DVec3::ZERO).unwrap();
             assert!(toward.direction.distance(DVec3::new(0.6, 0.8, 0.0)) < 1e-15, "{toward:?}");
@@ -182,14 +179,14 @@ mod tests {
 
     #[test]
     fn a_disc_faces_the_point_and_has_its_radius() {
-        let light = Light::Point { position: DVec3::new(3.0, 4.0, 0.0), range: 9.0 };
+        let light = Light::Point { position: DVec3::new(3.0, 4.0, 0.0), range: 9.0, near: 0.25 };
         let toward = light.toward(DVec3::ZERO).unwrap();
         let disc = light.disc(&toward, 0.5);
         for (x, y) in [(1.0, 0.0), (0.0, -1.0), (0.6, 0.8)] {
-            let Light::Point { position, range } = disc(x, y) else { panic!("a point") };
+            let Light::Point { position, range, near } = disc(x, y) else { panic!("a point") };
             let aside = position - DVec3::new(3.0, 4.0, 0.0);
             assert!((aside.length() - 0.5).abs() < 1e-12 && aside.dot(toward.direction).abs() < 1e-12);
-            assert_eq!(range, f64::INFINITY);
+            assert_eq!((range, near), (f64::INFINITY, 0.25));
         }
     }
 }

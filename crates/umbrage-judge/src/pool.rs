@@ -75,6 +75,7 @@ impl DepthBand {
             depths: self.depths,
             pixels,
             mis_shadowed: mean(self.mis_shadowed, other.mis_shadowed),
+            mae: mean(self.mae, other.mae),
             false_shadow: mean(self.false_shadow, other.false_shadow),
             false_light: mean(self.false_light, other.false_light),
             edge_displacement_px: (edge_px > 0.0).then(|| wrong / edge_px),
@@ -92,6 +93,7 @@ mod tests {
             depths: [1.0, 10.0],
             pixels,
             mis_shadowed,
+            mae: mis_shadowed,
             false_shadow: mis_shadowed,
             false_light: 0.0,
             edge_displacement_px: (edge_px > 0.0).then(|| mis_shadowed * pixels as f64 / edge_px),
@@ -119,6 +121,7 @@ mod tests {
         assert_eq!(pooled.causes.edge, 0.125);
         assert!((pooled.rmse - 0.125f64.sqrt()).abs() < 1e-12, "{}", pooled.rmse);
         assert_eq!(pooled.decades.len(), 1);
+        assert_eq!((pooled.mae, pooled.decades[0].mae), (0.125, 0.125));
         assert_eq!((pooled.decades[0].pixels, pooled.decades[0].edge_displacement_px), (400, Some(0.25)));
     }
 

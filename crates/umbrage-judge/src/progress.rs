@@ -130,7 +130,7 @@ impl Progress {
         let mut tally = Tally::default();
         for (pixels, visibility) in self.pixels.iter().zip(visibility) {
             assert_eq!(visibility.len(), pixels.len(), "one visibility a pixel");
-            places.clone().for_each(|i| tally.count(Verdict::new(pixels[i], visibility[i])));
+            places.clone().for_each(|i| tally.count(pixels[i], visibility[i]));
         }
         tally
     }

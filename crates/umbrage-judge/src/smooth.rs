@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::truth::{Receiver, can_be_lit, is_shadowed, receiver};
+use crate::shadow_ray::is_shadowed;
+use crate::truth::{Receiver, can_be_lit, receiver};
 use crate::{Light, Toward, Truth, World};
 
 /// A truth between lit and shadowed: the visibility of every pixel, from 0 to 1.

@@ -6,7 +6,8 @@
 
 use glam::DVec3;
 
-use crate::truth::{can_be_lit, is_shadowed, receiver};
+use crate::shadow_ray::is_shadowed;
+use crate::truth::{can_be_lit, receiver};
 use crate::verdict::is_shadow;
 use crate::{Eye, Light, World};
 
@@ -17,6 +18,8 @@ pub struct Anchor {
     pub position: DVec3,
     /// The unit geometric normal, turned to the eye that chose the point.
     pub normal: DVec3,
+    /// How far rounding may have moved the surface along its normal, in metres; 0 where its place is exact.
+    pub lift: f64,
 }
 
 /// The result of a shadow technique for one anchor in one frame.
@@ -73,15 +76,20 @@ pub fn anchors(
         receiver(world, eye, &eye.ray(x, y))
     });
     let wanted = pixels.filter(|receiver| keep(receiver.triangle) && can_be_lit(light, receiver));
-    wanted.map(|receiver| Anchor { position: receiver.position, normal: receiver.normal }).collect()
+    wanted
+        .map(|receiver| {
+            let crate::Receiver { position, normal, lift, depth: _, triangle: _, tilt: _ } = receiver;
+            Anchor { position, normal, lift }
+        })
+        .collect()
 }
 
 /// Traces the true visibility of anchors at one time, each 0 or 1; NaN where the light does not shine.
 pub fn visibility(world: &World, light: &Light, anchors: &[Anchor]) -> Vec<f32> {
     use rayon::prelude::*;
     let visibility = |anchor: &Anchor| {
-        let receiver =
-            crate::Receiver { position: anchor.position, normal: anchor.normal, depth: 0.0, triangle: 0 };
+        let Anchor { position, normal, lift } = *anchor;
+        let receiver = crate::Receiver { position, normal, depth: 0.0, triangle: 0, lift, tilt: 0.0 };
         match light.toward(anchor.position) {
             Some(_) => f32::from(u8::from(!is_shadowed(world, light, &receiver, 1.0))),
             None => f32::NAN,
@@ -199,6 +207,7 @@ mod tests {
             // 45°: the cone meets the ground in a circle of 4 m.
             cos_outer: 0.5f64.sqrt(),
             range,
+            near: 0.0,
         };
         let chosen = anchors(&world, &[Eye::new(&camera, 90, 90)], &spot(100.0), 2000, |_| true);
         assert!(chosen.len() > 200 && chosen.len() < 1500, "{} of 2000", chosen.len());

@@ -3,7 +3,7 @@
 //! Source: Woop, Benthin, Wald, *Watertight Ray/Triangle Intersection*, JCGT 2:1, 2013, in f64 throughout. The edge
 //! functions of a shared edge are the same numbers with opposite signs, which is what makes it watertight.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 /// A ray is a half-line, prepared for triangle tests.
 #[derive(Clone, Copy, Debug)]
@@ -42,10 +42,10 @@ impl Ray {
 
     /// Returns the distance along the ray at which it hits the triangle, from either side; `None` where it misses, or the
     /// triangle lies behind its origin.
-    pub fn hit(&self, triangle: &[Vec3; 3]) -> Option<f64> {
+    pub fn hit(&self, triangle: &[DVec3; 3]) -> Option<f64> {
         let [x, y, z] = self.axes;
         let [a, b, c] = triangle.map(|corner| {
-            let from_origin = corner.as_dvec3() - self.origin;
+            let from_origin = corner - self.origin;
             let along = from_origin[z];
             let sheared = [from_origin[x] - self.shear.x * along, from_origin[y] - self.shear.y * along];
             (sheared, self.shear.z * along)
@@ -68,7 +68,7 @@ mod tests {
 
     use super::*;
 
-    const TRIANGLE: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
+    const TRIANGLE: [DVec3; 3] = [DVec3::ZERO, DVec3::X, DVec3::Y];
 
     #[test]
     fn a_ray_along_z_hits_the_triangle_at_its_height_from_both_sides() {
@@ -84,15 +84,15 @@ mod tests {
     proptest! {
         #[test]
         fn a_ray_through_a_point_of_a_shared_edge_hits_one_of_its_triangles(
-            corners in prop::array::uniform4(prop::array::uniform3(-100.0f32..100.0)),
+            corners in prop::array::uniform4(prop::array::uniform3(-100.0f64..100.0)),
             share in 0.0f64..=1.0, origin in prop::array::uniform3(-200.0f64..200.0),
         ) {
-            let [a, b, c, d] = corners.map(Vec3::from_array);
-            let on_edge = a.as_dvec3().lerp(b.as_dvec3(), share);
+            let [a, b, c, d] = corners.map(DVec3::from_array);
+            let on_edge = a.lerp(b, share);
             let origin = DVec3::from_array(origin);
             let ray = Ray::new(origin, on_edge - origin);
             // c and d must lie on opposite sides of the edge as the ray sees it: then the two cover its neighbourhood.
-            let side = |p: Vec3| (a.as_dvec3() - origin).cross(b.as_dvec3() - origin).dot(p.as_dvec3() - origin);
+            let side = |p: DVec3| (a - origin).cross(b - origin).dot(p - origin);
             prop_assume!(side(c) * side(d) < -1.0);
             prop_assert!(ray.hit(&[a, b, c]).is_some() || ray.hit(&[b, a, d]).is_some());
         }

@@ -1,17 +1,19 @@
 //! What a camera sees, and whether the light reaches it: exactly, pixel by pixel.
 //!
 //! A pixel is judged by the ray through its centre: the first triangle it meets, and from there a ray to the light, lifted
-//! off the surface by ε. A light that stands in the world may stand on a surface too: the ray ends ε before it. Where
-//! twice the ε changes the answer, the pixel is ambiguous, and not judged. Nor are pixels whose surface is turned away
-//! from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
+//! off the surface by ε. A light that stands in the world may stand on a surface too: what is within ε of it is not before
+//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged. Nor are pixels whose surface is turned
+//! away from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
+//!
+//! ε, and the angle at which a surface begins to face a light, are what rounding of the world's f32 numbers may have done to
+//! a triangle's place and tilt (`triangles.rs`), and to the light's (`shadow_ray.rs`). A surface whose angle to the light is
+//! smaller may face it or not: it is ambiguous too. All other surfaces that face it are judged, however aslant.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::{Eye, Hit, Light, Ray, World};
-
-/// The minimum cosine between a surface's normal and the light: at this or less, shading leaves the surface unlit.
-const MIN_COSINE: f64 = 0.02;
+use crate::shadow_ray::{is_shadowed, loss_of_sight, turn};
+use crate::{Eye, Hit, Light, Ray, Toward, World};
 
 /// A receiver is the first surface that a pixel's ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +26,10 @@ pub struct Receiver {
     pub depth: f64,
     /// The index of the surface's triangle in [`World::triangles`].
     pub triangle: usize,
+    /// How far rounding may have moved the surface along its normal, in metres: a ray to the light begins as far off it.
+    pub lift: f64,
+    /// The sine of the angle by which rounding may have tilted the surface.
+    pub tilt: f64,
 }
 
 /// The truth of a pixel: whether it is judged, and whether the light reaches it.
@@ -37,7 +43,7 @@ pub enum Pixel {
     TurnedAway,
     /// The surface is farther away than shadows are asked for.
     Beyond,
-    /// It depends on rounding whether the light reaches the surface.
+    /// It depends on rounding whether the light reaches the surface, or whether the surface faces it.
     Ambiguous,
     /// The light reaches the surface.
     Lit,
@@ -48,7 +54,23 @@ pub enum Pixel {
 impl Pixel {
     /// Whether results are judged at this pixel: it is lit or shadowed for sure.
     pub fn is_judged(self) -> bool {
-        matches!(self, Self::Lit | Self::Shadowed)
+        self.visibility().is_some()
+    }
+
+    /// Returns the true visibility: 1 where lit, 0 where shadowed; `None` where results are not judged.
+    pub fn visibility(self) -> Option<f32> {
+        match self {
+            Self::Lit => Some(1.0),
+            Self::Shadowed => Some(0.0),
+            Self::Sky | Self::Unreached | Self::TurnedAway | Self::Beyond | Self::Ambiguous => None,
+        }
+    }
+
+    /// Returns how far a visibility, 0 to 1, is from the true one; `None` where results are not judged. Its mean over all
+    /// judged pixels is the mean absolute error: it sees what [`Verdict`](crate::Verdict) does not, a shade that stays on
+    /// the right side of one half.
+    pub fn miss(self, visibility: f32) -> Option<f64> {
+        self.visibility().map(|truth| (f64::from(visibility) - f64::from(truth)).abs())
     }
 }
 
@@ -106,34 +128,23 @@ pub(crate) fn receiver(world: &World, eye: &Eye, ray: &Ray) -> Option<Receiver> 
 pub(crate) fn surface(world: &World, ray: &Ray, Hit { distance, triangle }: Hit) -> Receiver {
     let normal = world.normal(triangle);
     let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
-    Receiver { position: ray.at(distance), normal, depth: distance, triangle }
+    let position = ray.at(distance);
+    let lost = loss_of_sight(world, position, distance * ray.direction.length());
+    let (lift, tilt) = (world.triangles.lift(triangle) + lost, world.triangles.tilt(triangle));
+    Receiver { position, normal, depth: distance, triangle, lift, tilt }
 }
 
-/// Whether a receiver's surface faces a light.
-fn faces(receiver: &Receiver, to_light: DVec3) -> bool {
-    receiver.normal.dot(to_light) > MIN_COSINE
+/// Whether a receiver's surface faces a light; `None` where rounding decides.
+fn faces(light: &Light, receiver: &Receiver, toward: &Toward) -> Option<bool> {
+    let cosine = receiver.normal.dot(toward.direction);
+    // Neither for NaN nor for a surface without area.
+    let is_sure = cosine.abs() > receiver.tilt + turn(light, toward.distance);
+    is_sure.then_some(cosine > 0.0)
 }
 
-/// Whether a light shines at a receiver, and the receiver's surface faces it.
+/// Whether a light shines at a receiver, and the receiver's surface faces it for sure.
 pub(crate) fn can_be_lit(light: &Light, receiver: &Receiver) -> bool {
-    light.toward(receiver.position).is_some_and(|toward| faces(receiver, toward.direction))
-}
-
-/// The ε at a point, metres: about what its f32 coordinates are worth.
-pub(crate) fn epsilon(point: DVec3) -> f64 {
-    point.abs().max_element().max(1.0) * 2f64.powi(-18)
-}
-
-/// A ray from a receiver to a light, and where it ends, metres: so many ε off the receiver's surface and before the light.
-pub(crate) fn shadow_ray(light: &Light, receiver: &Receiver, epsilons: f64) -> (Ray, f64) {
-    let lifted = receiver.position + receiver.normal * (epsilon(receiver.position) * epsilons);
-    light.ray_from(lifted, epsilons)
-}
-
-/// Whether anything is between a receiver and a light, so many ε off both.
-pub(crate) fn is_shadowed(world: &World, light: &Light, receiver: &Receiver, epsilons: f64) -> bool {
-    let (ray, end) = shadow_ray(light, receiver, epsilons);
-    world.is_blocked(&ray, 0.0, end)
+    light.toward(receiver.position).is_some_and(|toward| faces(light, receiver, &toward) == Some(true))
 }
 
 /// What is true of a pixel with this first surface, or none.
@@ -144,11 +155,15 @@ pub(crate) fn pixel(world: &World, light: &Light, receiver: Option<&Receiver>, d
     let Some(toward) = light.toward(receiver.position) else {
         return Pixel::Unreached;
     };
-    if !faces(receiver, toward.direction) {
+    let faces = faces(light, receiver, &toward);
+    if faces == Some(false) {
         return Pixel::TurnedAway;
     }
     if receiver.depth > distance {
         return Pixel::Beyond;
+    }
+    if faces.is_none() {
+        return Pixel::Ambiguous;
     }
     let shadowed = |epsilons| is_shadowed(world, light, receiver, epsilons);
     match (shadowed(1.0), shadowed(2.0)) {

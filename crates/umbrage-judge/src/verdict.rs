@@ -56,7 +56,7 @@ impl Verdict {
 }
 
 /// A tally counts verdicts of the pixels that are traced and judged so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     /// Number of judged pixels.
     pub judged: usize,
@@ -64,18 +64,26 @@ pub struct Tally {
     pub false_shadow: usize,
     /// Number of pixels that the result lights and the truth shadows.
     pub false_light: usize,
+    /// The sum of all misses of visibility, each 0 to 1, as [`Pixel::miss`] has them.
+    pub missed: f64,
 }
 
 impl Tally {
-    /// Counts one more verdict. Pixels that are not traced or not judged are left out.
-    pub fn count(&mut self, verdict: Verdict) {
-        match verdict {
+    /// Counts one more pixel, as [`Verdict::new`] has it. Pixels that are not traced or not judged are left out.
+    pub fn count(&mut self, truth: Option<Pixel>, visibility: f32) {
+        match Verdict::new(truth, visibility) {
             Verdict::NotTraced | Verdict::NotJudged => return,
             Verdict::Right => {}
             Verdict::FalseShadow => self.false_shadow += 1,
             Verdict::FalseLight => self.false_light += 1,
         }
         self.judged += 1;
+        self.missed += truth.and_then(|truth| truth.miss(visibility)).unwrap_or_default();
+    }
+
+    /// Returns the mean absolute error of visibility over judged pixels, 0 to 1; 0 where none is judged.
+    pub fn mae(&self) -> f64 {
+        self.missed / self.judged.max(1) as f64
     }
 
     /// Returns the share of judged pixels that are wrong in either direction, 0 to 1; 0 where none is judged.
@@ -99,7 +107,8 @@ impl Tally {
 }
 
 impl std::ops::AddAssign for Tally {
-    fn add_assign(&mut self, Self { judged, false_shadow, false_light }: Self) {
+    fn add_assign(&mut self, Self { judged, false_shadow, false_light, missed }: Self) {
+        self.missed += missed;
         self.judged += judged;
         self.false_shadow += false_shadow;
         self.false_light += false_light;
@@ -125,9 +134,12 @@ mod tests {
         let mut tally = Tally::default();
         for (truth, visibility, verdict) in cases {
             assert_eq!(Verdict::new(truth, visibility), verdict, "{truth:?}, {visibility}");
-            tally.count(verdict);
+            tally.count(truth, visibility);
         }
-        assert_eq!(tally, Tally { judged: 4, false_shadow: 1, false_light: 1 });
+        // Halves, but for what is too little in one and too much in another.
+        let missed = 2.0;
+        assert_eq!(tally, Tally { judged: 4, false_shadow: 1, false_light: 1, missed });
+        assert_eq!(tally.mae(), 0.5, "also of those that are right by one half");
         let shares = [tally.mis_shadowed(), tally.false_shadow_share(), tally.false_light_share()];
         assert_eq!(shares, [0.5, 0.25, 0.25]);
         assert_eq!(Tally::default().mis_shadowed(), 0.0, "nothing is judged yet");

@@ -11,6 +11,9 @@ use obvhs::ray::RayHit;
 use umbrage_scene::Scene;
 
 use crate::Ray;
+use crate::shadow_ray::ShadowRay;
+use crate::triangles::{Triangles, normal};
+use crate::unit_box::{MARGIN, UnitBox};
 
 /// A world is all triangles of a scene at one time, in world space, with a BVH (bounding volume hierarchy) over them.
 pub struct World {
@@ -18,6 +21,8 @@ pub struct World {
     pub(crate) triangles: Triangles,
     /// `None` where there are no triangles.
     pub(crate) bvh: Option<Bvh2>,
+    /// The cube that the BVH is built in.
+    pub(crate) cube: UnitBox,
 }
 
 impl std::fmt::Debug for World {
@@ -35,45 +40,17 @@ pub struct Hit {
     pub triangle: usize,
 }
 
-/// How much larger than its triangle a leaf of the BVH is, as a share of the world's largest coordinate. The BVH is
-/// traversed in f32: it must not miss what the f64 test would hit, of rays that begin not much farther out than the world
-/// itself. Traversal goes as much farther than it is asked to, as a share of the distance.
-const MARGIN: f32 = 4.0 * f32::EPSILON;
-
-/// A leaf: a triangle's box, and the margin.
+/// A leaf: a triangle, and the cube that it is seen in.
 struct Leaf<'a> {
-    triangle: &'a [Vec3; 3],
-    margin: Vec3A,
+    triangle: &'a [DVec3; 3],
+    cube: UnitBox,
 }
 
 impl obvhs::Boundable for Leaf<'_> {
     fn aabb(&self) -> Aabb {
-        let [a, b, c] = self.triangle.map(Vec3A::from);
-        Aabb { min: a.min(b).min(c) - self.margin, max: a.max(b).max(c) + self.margin }
-    }
-}
-
-/// The triangles of a world in any order, before a BVH is built over them.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Triangles {
-    /// The corners of each triangle, in world space.
-    pub(crate) corners: Vec<[Vec3; 3]>,
-    /// Whether each triangle never moves.
-    pub(crate) still: Vec<bool>,
-}
-
-impl Triangles {
-    /// Collects every triangle of a scene at `seconds` after its start.
-    pub fn of(scene: &Scene, seconds: f32) -> Self {
-        let (mut corners, mut still) = (Vec::with_capacity(scene.triangles()), Vec::new());
-        for instance in &scene.instances {
-            let mesh = &scene.meshes[instance.mesh];
-            let world_from_mesh = instance.world_from_mesh_at(seconds);
-            let corner = |i: &u32| world_from_mesh.transform_point3(mesh.positions[*i as usize]);
-            corners.extend(mesh.indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.each_ref().map(corner)));
-            still.resize(corners.len(), !instance.is_dynamic());
-        }
-        Self { corners, still }
+        let [a, b, c] = self.triangle.map(|corner| self.cube.inside(corner));
+        let margin = Vec3A::splat(MARGIN);
+        Aabb { min: a.min(b).min(c) - margin, max: a.max(b).max(c) + margin }
     }
 }
 
@@ -83,28 +60,23 @@ impl World {
         Self::build(Triangles::of(scene, seconds))
     }
 
-    /// Makes a world of triangles in world space that never move.
+    /// Makes a world of triangles in world space that never move and cast shadows.
     pub fn of_triangles(triangles: Vec<[Vec3; 3]>) -> Self {
-        let still = vec![true; triangles.len()];
-        Self::build(Triangles { corners: triangles, still })
+        Self::build(Triangles::in_world(&triangles))
     }
 
     /// Builds the BVH over triangles, on all cores. Triangles with coordinates that are not finite are left out.
-    pub fn build(Triangles { corners, still }: Triangles) -> Self {
-        let is_finite = |triangle: &[Vec3; 3]| triangle.iter().all(|corner| corner.is_finite());
-        let (corners, still): (Vec<_>, Vec<_>) =
-            corners.into_iter().zip(still).filter(|(triangle, _)| is_finite(triangle)).unzip();
-        if corners.is_empty() {
-            return Self { triangles: Triangles::default(), bvh: None };
+    pub fn build(triangles: Triangles) -> Self {
+        let triangles = triangles.finite();
+        let cube = UnitBox::around(triangles.corners.iter().flatten());
+        if triangles.corners.is_empty() {
+            return Self { triangles, bvh: None, cube };
         }
-        let largest = corners.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f32::max);
-        let margin = Vec3A::splat(largest.max(1.0) * MARGIN);
-        let leaves: Vec<Leaf<'_>> = corners.iter().map(|triangle| Leaf { triangle, margin }).collect();
+        let leaves: Vec<Leaf<'_>> =
+            triangles.corners.iter().map(|triangle| Leaf { triangle, cube }).collect();
         let mut bvh = bvh(&leaves);
         let order = std::mem::take(&mut bvh.primitive_indices);
-        let corners = order.iter().map(|i| corners[*i as usize]).collect();
-        let still = order.iter().map(|i| still[*i as usize]).collect();
-        Self { triangles: Triangles { corners, still }, bvh: Some(bvh) }
+        Self { triangles: triangles.in_order(order.iter().map(|i| *i as usize)), bvh: Some(bvh), cube }
     }
 
     /// Whether a triangle never moves.
@@ -112,21 +84,47 @@ impl World {
         self.triangles.still[triangle]
     }
 
+    /// Whether a triangle casts shadows.
+    pub fn casts(&self, triangle: usize) -> bool {
+        self.triangles.casts[triangle]
+    }
+
     /// Returns the corners of every triangle, in world space and metres.
-    pub fn triangles(&self) -> &[[Vec3; 3]] {
+    pub fn triangles(&self) -> &[[DVec3; 3]] {
         &self.triangles.corners
     }
 
     /// Finds the nearest triangle that a ray meets at a distance from `from` to below `to`, in multiples of its direction.
     pub fn first_hit(&self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
+        self.first(ray, from, to, |_, _| true)
+    }
+
+    /// Whether a ray meets any triangle that casts shadows, at a distance from `from` to below `to`, in multiples of its
+    /// direction.
+    pub fn is_blocked(&self, ray: &Ray, from: f64, to: f64) -> bool {
+        self.any(ray, from, to, |triangle, _| self.triangles.casts[triangle])
+    }
+
+    /// Whether anything casts a shadow along a ray to a light, from `from` metres on.
+    pub(crate) fn is_cast_on(&self, to_light: &ShadowRay, from: f64) -> bool {
+        self.any(&to_light.ray, from, to_light.end, |triangle, at| to_light.is_cast_by(self, triangle, at))
+    }
+
+    /// The nearest of what casts a shadow along a ray to a light.
+    pub(crate) fn first_caster(&self, to_light: &ShadowRay) -> Option<Hit> {
+        self.first(&to_light.ray, 0.0, to_light.end, |triangle, at| to_light.is_cast_by(self, triangle, at))
+    }
+
+    fn first(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> Option<Hit> {
         let mut first: Option<Hit> = None;
-        let walk = self.walk(ray, from, to)?;
-        self.bvh.as_ref()?.ray_traverse(walk, &mut RayHit::none(), |_, triangle| {
+        let walk = self.cube.walk(ray, from, to)?;
+        self.bvh.as_ref()?.ray_traverse(walk.ray, &mut RayHit::none(), |_, triangle| {
             let end = first.map_or(to, |hit| hit.distance);
-            match ray.hit(&self.triangles.corners[triangle]).filter(|d| *d >= from && *d < end) {
+            let is_nearer = |d: &f64| *d >= from && *d < end && counts(triangle, *d);
+            match ray.hit(&self.triangles.corners[triangle]).filter(is_nearer) {
                 Some(distance) => {
                     first = Some(Hit { distance, triangle });
-                    walked(distance)
+                    walk.walked(distance)
                 }
                 None => f32::INFINITY,
             }
@@ -134,31 +132,26 @@ impl World {
         first
     }
 
-    /// Whether a ray meets any triangle at a distance from `from` to below `to`, in multiples of its direction.
-    pub fn is_blocked(&self, ray: &Ray, from: f64, to: f64) -> bool {
-        let (Some(walk), Some(bvh)) = (self.walk(ray, from, to), &self.bvh) else {
+    fn any(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> bool {
+        let (Some(walk), Some(bvh)) = (self.cube.walk(ray, from, to), &self.bvh) else {
             return false;
         };
-        !bvh.ray_traverse_miss(walk, |_, triangle| {
+        !bvh.ray_traverse_miss(walk.ray, |_, triangle| {
             let hit = ray
                 .hit(&self.triangles.corners[triangle])
-                .is_some_and(|distance| distance >= from && distance < to);
+                .is_some_and(|distance| distance >= from && distance < to && counts(triangle, distance));
             if hit { 0.0 } else { f32::INFINITY }
         })
     }
 
     /// Returns the unit normal of a triangle, by its winding; zero for one without area.
     pub fn normal(&self, triangle: usize) -> DVec3 {
-        let [a, b, c] = self.triangles.corners[triangle].map(Vec3::as_dvec3);
-        (b - a).cross(c - a).normalize_or_zero()
+        normal(&self.triangles.corners[triangle])
     }
 
-    /// The ray as the BVH is traversed by it, in f32. `None` for one that is not finite.
-    fn walk(&self, ray: &Ray, from: f64, to: f64) -> Option<obvhs::ray::Ray> {
-        let (origin, direction) = (ray.origin.as_vec3a(), ray.direction.as_vec3a());
-        let usable = origin.is_finite() && direction.is_finite() && direction != Vec3A::ZERO;
-        let from = (from as f32).next_down().max(0.0);
-        usable.then(|| obvhs::ray::Ray::new(origin, direction, from, walked(to)))
+    /// The largest of all coordinates, metres.
+    pub(crate) fn reach(&self) -> f64 {
+        self.cube.centre.abs().max_element() + self.cube.size
     }
 }
 
@@ -175,11 +168,6 @@ fn bvh(leaves: &[Leaf<'_>]) -> Bvh2 {
     ReinsertionOptimizer::default().run(&mut bvh, params.reinsertion_batch_ratio, None);
     collapse(&mut bvh, params.max_prims_per_leaf, params.collapse_traversal_cost);
     bvh
-}
-
-/// A distance at which the BVH's traversal, which adds in f32, has met all that is nearer than `distance`.
-fn walked(distance: f64) -> f32 {
-    (distance * (1.0 + f64::from(MARGIN))) as f32
 }
 
 #[cfg(test)]
@@ -233,12 +221,19 @@ mod tests {
             // Half of the lights stand on a triangle.
             let (a, b, c) = corners[0];
             let position = if light.x < 0.0 { light } else { a + (b + c) / 3.0 };
-            let light = crate::Light::Point { position: position.as_dvec3(), range: f64::INFINITY };
+            let light = crate::Light::Point { position: position.as_dvec3(), range: f64::INFINITY, near: 0.0 };
             for origin in origins {
-                let (ray, end) = light.ray_from(origin.as_dvec3(), 1.0);
+                let to_light = ShadowRay::new(&light, origin.as_dvec3(), 1.0);
+                let (ray, end) = (to_light.ray, to_light.end);
                 let by_force = brute_force(&world, &ray, 0.0, end);
                 prop_assert_eq!(world.first_hit(&ray, 0.0, end).map(|hit| hit.distance), by_force);
                 prop_assert_eq!(world.is_blocked(&ray, 0.0, end), by_force.is_some());
+                let all = 0..world.triangles().len();
+                let hits = all.filter_map(|i| Some((i, ray.hit(&world.triangles()[i]).filter(|d| *d < end)?)));
+                let casters = hits.filter(|(i, d)| to_light.is_cast_by(&world, *i, *d)).map(|(_, d)| d);
+                let by_force = casters.min_by(f64::total_cmp);
+                prop_assert_eq!(world.first_caster(&to_light).map(|hit| hit.distance), by_force);
+                prop_assert_eq!(world.is_cast_on(&to_light, 0.0), by_force.is_some());
             }
         }
     }

@@ -17,11 +17,14 @@ const LIGHTS: [DVec3; 3] =
 fn lights(position: DVec3) -> [Light; 2] {
     let cos_outer = 89.5f64.to_radians().cos();
     let range = f64::INFINITY;
-    [Light::Point { position, range }, Light::Spot { position, along: DVec3::NEG_Y, cos_outer, range }]
+    [
+        Light::Point { position, range, near: 0.0 },
+        Light::Spot { position, along: DVec3::NEG_Y, cos_outer, range, near: 0.0 },
+    ]
 }
 
 fn point(position: DVec3) -> Light {
-    Light::Point { position, range: f64::INFINITY }
+    Light::Point { position, range: f64::INFINITY, near: 0.0 }
 }
 
 /// A horizontal square about a point, `half` metres from its middle to its sides.
@@ -38,7 +41,7 @@ fn world(casters: &[[Vec3; 3]]) -> World {
 /// Points 0.5 m apart on the ground within ±10 m.
 fn ground_anchors() -> Vec<Anchor> {
     let place = |i: i32| DVec3::new(f64::from(i % 41 - 20) * 0.5, 0.0, f64::from(i / 41 - 20) * 0.5);
-    (0..41 * 41).map(|i| Anchor { position: place(i), normal: DVec3::Y }).collect()
+    (0..41 * 41).map(|i| Anchor { position: place(i), normal: DVec3::Y, lift: 0.0 }).collect()
 }
 
 /// A camera 9 m above the ground that looks down at it a little aslant.
@@ -116,8 +119,8 @@ fn a_light_in_a_closed_room_lights_its_walls_and_nothing_outside() {
                 position[axis] = side[axis];
                 let mut normal = DVec3::ZERO;
                 normal[axis] = inward;
-                let inside = Anchor { position, normal };
-                let outside = Anchor { position, normal: -normal };
+                let inside = Anchor { position, normal, lift: 0.0 };
+                let outside = Anchor { position, normal: -normal, lift: 0.0 };
                 // The ground cuts through the room: what is below is in its shadow.
                 let lit = if position.y > 0.0 { 1.0 } else { 0.0 };
                 let traced = visibility(&world, &light, &[inside, outside]);
@@ -151,7 +154,7 @@ fn pixels_outside_the_cone_or_the_range_are_unreached_and_those_inside_lit() {
     {
         let along = DVec3::new(aslant, -1.0, 0.0).normalize_or_zero();
         let half_angle = f64::to_radians(half_angle);
-        let light = Light::Spot { position, along, cos_outer: half_angle.cos(), range };
+        let light = Light::Spot { position, along, cos_outer: half_angle.cos(), range, near: 0.0 };
         let truth = Truth::new(&world, &eye(), &light, 500.0);
         for (pixel, receiver) in truth.pixels.iter().zip(&truth.receivers) {
             let Some(Receiver { position: p, .. }) = receiver else { continue };
@@ -176,7 +179,7 @@ fn pixels_outside_the_cone_or_the_range_are_unreached_and_those_inside_lit() {
 
 #[test]
 fn a_light_without_range_reaches_nothing() {
-    let light = Light::Point { position: DVec3::Y, range: 0.0 };
+    let light = Light::Point { position: DVec3::Y, range: 0.0, near: 0.0 };
     let truth = Truth::new(&world(&[]), &eye(), &light, 500.0);
     assert_eq!(truth.judged() + truth.count(Pixel::Lit) + truth.count(Pixel::Shadowed), 0);
     assert!(truth.count(Pixel::Unreached) > 1000);
@@ -189,7 +192,14 @@ fn the_soft_shadow_of_an_edge_is_the_share_of_the_disc_that_looks_past_it() {
     for aside in [-0.2f32, -0.125, 0.0, 0.125, 0.2] {
         let half_plane =
             quad(corner(-50.0, -50.0), corner(-50.0, 50.0), corner(aside, 50.0), corner(aside, -50.0));
-        let receiver = Receiver { position: DVec3::ZERO, normal: DVec3::Y, depth: 1.0, triangle: 0 };
+        let receiver = Receiver {
+            position: DVec3::ZERO,
+            normal: DVec3::Y,
+            depth: 1.0,
+            triangle: 0,
+            lift: 0.0,
+            tilt: 0.0,
+        };
         for light in lights(DVec3::new(0.0, 10.0, 0.0)) {
             let truth =
                 Truth { eye: eye(), light, receivers: vec![Some(receiver)], pixels: vec![Pixel::Lit] };

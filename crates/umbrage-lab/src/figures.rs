@@ -36,10 +36,10 @@ pub struct Figure {
 /// All figures, in the order in which tables of them are written.
 pub const ALL: &[Figure] = &[
     figure("error.mis_shadowed", "mis-shadowed", Format::Percent),
+    figure("error.mae", "mean error", Format::Plain),
     figure("error.false_shadow", "false shadow", Format::Percent),
     figure("error.false_light", "false light", Format::Percent),
     figure("error.rmse", "RMSE", Format::Plain),
-    figure("error.mae", "mean error", Format::Plain),
     figure("error.bias", "bias", Format::Plain),
     figure("error.edge_displacement_px", "edge displacement", Format::Pixels),
     figure("error.hausdorff_95_px", "Hausdorff 95 %", Format::Pixels),
@@ -113,6 +113,12 @@ impl Figure {
             "milliseconds.frame.median" => Some(frame),
             _ => None,
         }
+    }
+
+    /// Returns the figure that is shown beside this one wherever this one is: beside mis-shadowed pixels, which say nothing of
+    /// shades that stay on the right side of one half, the mean absolute error of visibility, which does. `None` of others.
+    pub fn companion(&self) -> Option<&'static Self> {
+        if self.key == "error.mis_shadowed" { Self::named("error.mae") } else { None }
     }
 
     /// Whether the figure needs judged pixels.

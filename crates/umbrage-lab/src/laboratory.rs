@@ -202,11 +202,7 @@ impl<'a> Laboratory<'a> {
         visibility: &[Vec<f32>],
         shaded: &Picture,
     ) -> Result<Picture, LabError> {
-        let known = |(pixel, drawn): (&Pixel, &f32)| match pixel {
-            Pixel::Lit => 1.0,
-            Pixel::Shadowed => 0.0,
-            Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => *drawn,
-        };
+        let known = |(pixel, drawn): (&Pixel, &f32)| pixel.visibility().unwrap_or(*drawn);
         let lights = traced.iter().zip(visibility);
         let given = lights.flat_map(|(traced, drawn)| traced.truth.pixels.iter().zip(drawn).map(known));
         let picture = self.picture(frame, Show::Given(given.collect()))?;

@@ -6,7 +6,7 @@ use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
 use umbrage_render::{Gpu, Picture};
-use umbrage_scene::Scene;
+use umbrage_scene::{Scene, Shining};
 
 use crate::error::LabError;
 use crate::laboratory::Laboratory;
@@ -55,12 +55,14 @@ fn shot(scene: &Scene, run: &Run) -> Result<Shot, LabError> {
     let missing = |what: String| LabError::Missing { what, world: scene.name.clone() };
     let named = scene.cameras.iter().find(|it| it.name == *camera);
     let camera = named.ok_or_else(|| missing(format!("camera called `{camera}`")))?;
-    if scene.lights.is_empty() {
+    // The same for all repeats.
+    let Shining { lights, warnings: _ } = Shining::choose(&scene.lights, camera, 0.0, umbrage::MAX_LIGHTS);
+    if lights.is_empty() {
         return Err(missing("light".to_owned()));
     }
     Ok(Shot {
         camera: umbrage_judge::jittered(camera, *repeat),
-        lights: scene.lights.clone(),
+        lights,
         seconds: 0.0,
         width: *width,
         height: *height,

@@ -154,7 +154,7 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
                 across * (share(i, 0.618_033_988_749_895) * band)
                     + along * (share(i, 0.754_877_666_246_693) * 6.0)
             })
-            .map(|position| Anchor { position, normal: DVec3::Y })
+            .map(|position| Anchor { position, normal: DVec3::Y, lift: 0.0 })
             .collect();
         // Any two steps of this sequence are as good as independent.
         let phases = (0..640)

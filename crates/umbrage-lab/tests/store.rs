@@ -55,6 +55,7 @@ fn outcome(run: &Run) -> Outcome {
         depths: [0.1 + 0.2, f64::MAX],
         pixels: 7,
         mis_shadowed: 1.0 / 3.0,
+        mae: 0.7,
         false_shadow: f64::from_bits(1),
         false_light: -0.0,
         edge_displacement_px: None,

@@ -8,11 +8,13 @@ use glam::Mat4;
 use umbrage::{Aabb, Bounds, ConvexVolume};
 use umbrage_scene::{Instance, Scene};
 
-/// Every (part, instance) of a scene with its world box, ordered by mesh, mirroring, part and instance.
+/// Every (part, instance) of a scene with its world box, ordered by mesh, mirroring, casting, part and instance.
 #[derive(Clone, Debug)]
 pub struct PartTable {
     parts: Vec<PartRow>,
     /// The boxes are parallel to all parts' instances, in order.
+    boxes: Vec<Aabb>,
+    /// What is planned for: all but skies.
     bounds: Bounds,
     seconds: f32,
     /// Room for the matrices of instances that move.
@@ -28,6 +30,10 @@ struct PartRow {
     local: umbrage_scene::Aabb,
     /// Whether its instances mirror it, which turns its winding over.
     mirrored: bool,
+    /// Whether it casts shadows.
+    casts: bool,
+    /// Whether it casts none and shows none either: no map need hold it.
+    is_sky: bool,
     /// Indices of those instances of its mesh, in the scene's list.
     instances: Vec<u32>,
     /// Where its boxes start.
@@ -96,7 +102,7 @@ impl DrawLists {
 pub enum Materials {
     /// They may not: materials are bound one by one.
     Apart,
-    /// They may: only depth is drawn.
+    /// They may: only depth is drawn, of what casts shadows.
     Together,
 }
 
@@ -104,22 +110,29 @@ impl PartTable {
     /// The table of a scene at time 0. Index ranges count from the start of the scene's index buffer, in which its
     /// meshes follow each other.
     pub fn new(scene: &Scene) -> Self {
-        let mut instances_of = vec![[Vec::new(), Vec::new()]; scene.meshes.len()];
+        /// The groups of a mesh's instances, each with whether it is mirrored and whether it casts.
+        const GROUPS: [(bool, bool); 4] = [(false, true), (false, false), (true, true), (true, false)];
+        let mut instances_of = vec![[const { Vec::new() }; 4]; scene.meshes.len()];
         for (i, instance) in scene.instances.iter().enumerate() {
             let mirrored = instance.world_from_mesh.determinant() < 0.0;
-            instances_of[instance.mesh][usize::from(mirrored)].push(i as u32);
+            let group = 2 * usize::from(mirrored) + usize::from(!instance.casts);
+            instances_of[instance.mesh][group].push(i as u32);
         }
         let (mut parts, mut boxes) = (Vec::new(), 0);
         let (mut first_index, mut base_vertex) = (0, 0);
         for (mesh, instances_of_mesh) in scene.meshes.iter().zip(&instances_of) {
-            for (mirrored, instances) in [false, true].into_iter().zip(instances_of_mesh) {
+            for ((mirrored, instances_cast), instances) in GROUPS.into_iter().zip(instances_of_mesh) {
                 for part in mesh.parts.iter().filter(|_| !instances.is_empty()) {
+                    let material = scene.materials.get(part.material);
+                    let casts = instances_cast && material.is_none_or(|material| material.casts);
                     parts.push(PartRow {
                         indices: part.indices.start + first_index..part.indices.end + first_index,
                         base_vertex,
                         material: part.material as u32,
                         local: part.bounds,
                         mirrored,
+                        casts,
+                        is_sky: !casts && material.is_some_and(|material| material.unlit),
                         instances: instances.clone(),
                         first_box: boxes,
                     });
@@ -129,9 +142,9 @@ impl PartTable {
             first_index += mesh.indices.len() as u32;
             base_vertex += mesh.positions.len() as i32;
         }
-        let bounds = Bounds { world: Aabb::EMPTY, objects: vec![Aabb::EMPTY; boxes] };
+        let (boxes, bounds) = (vec![Aabb::EMPTY; boxes], Bounds { world: Aabb::EMPTY, objects: Vec::new() });
         let matrices = Vec::with_capacity(scene.instances.len());
-        let mut table = Self { parts, bounds, seconds: 0.0, matrices };
+        let mut table = Self { parts, boxes, bounds, seconds: 0.0, matrices };
         table.place(&scene.instances, |instance| Some(instance.world_from_mesh));
         table
     }
@@ -147,21 +160,27 @@ impl PartTable {
     }
 
     fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(&Instance) -> Option<Mat4>) {
-        let Self { parts, bounds, seconds: _, matrices } = self;
+        let Self { parts, boxes, bounds, seconds: _, matrices } = self;
         matrices.clear();
         matrices.extend(instances.iter().map(world_from_mesh));
+        bounds.objects.clear();
         for part in parts {
-            for (slot, &instance) in bounds.objects[part.first_box..].iter_mut().zip(&part.instances) {
+            let boxes = &mut boxes[part.first_box..][..part.instances.len()];
+            for (slot, &instance) in boxes.iter_mut().zip(&part.instances) {
                 if let Some(matrix) = &matrices[instance as usize] {
                     let world = part.local.transformed(matrix);
                     *slot = Aabb { min: world.min, max: world.max };
                 }
             }
+            if !part.is_sky {
+                bounds.objects.extend_from_slice(boxes);
+            }
         }
         bounds.world = bounds.objects.iter().fold(Aabb::EMPTY, |sum, aabb| sum.union(*aabb));
     }
 
-    /// Returns what the planner needs to know of the world.
+    /// Returns what the planner needs to know of the world: all of it but skies, which would be most of every map and show
+    /// no shadows.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds
     }
@@ -172,16 +191,18 @@ impl PartTable {
         self.bounds
     }
 
-    /// Appends the draws of everything that may touch `volume`; of everything there is, where `volume` is `None`.
+    /// Appends the draws of everything that may touch `volume`; of everything there is, where `volume` is `None`. Where
+    /// materials go together, that is everything that casts shadows.
     pub fn add_view(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>, materials: Materials) {
         if volume.is_some_and(ConvexVolume::is_empty) {
             lists.ends.push(lists.draws.len());
             return;
         }
         let first = lists.draws.len();
-        for part in &self.parts {
+        let is_wanted = |part: &&PartRow| materials == Materials::Apart || part.casts;
+        for part in self.parts.iter().filter(is_wanted) {
             let start = lists.instances.len();
-            let boxes = &self.bounds.objects[part.first_box..part.first_box + part.instances.len()];
+            let boxes = &self.boxes[part.first_box..part.first_box + part.instances.len()];
             let touching = part
                 .instances
                 .iter()
@@ -275,6 +296,32 @@ mod tests {
         assert_eq!(lists.view(0).iter().map(Draw::triangles).collect::<Vec<_>>(), [2048, 8]);
         assert_eq!(lists.view(1), []);
     }
+    #[test]
+    fn what_casts_nothing_is_seen_and_drawn_into_no_map_and_skies_are_not_planned_for() {
+        let mut scene = scene();
+        scene.materials =
+            (0..2).map(|i| umbrage_scene::Material::plain(&i.to_string(), 1.0, 1.0, 1.0)).collect();
+        let triangles = |scene: &Scene| {
+            let mut lists = DrawLists::default();
+            let table = PartTable::new(scene);
+            table.add_view(&mut lists, None, Materials::Together);
+            table.add_view(&mut lists, None, Materials::Apart);
+            let of = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
+            (of(0), of(1), table.bounds().objects.len())
+        };
+        // Four parts and twice two, of 4 triangles each.
+        assert_eq!(triangles(&scene), (8192 + 16, 8192 + 16, 8));
+        scene.materials[1].casts = false;
+        assert_eq!(triangles(&scene), (8192 + 8, 8192 + 16, 8));
+        scene.instances[0].casts = false;
+        assert_eq!(triangles(&scene), (8, 8192 + 16, 8));
+        scene.materials[0].unlit = true;
+        assert_eq!(triangles(&scene), (8, 8192 + 16, 4), "the long row is a sky");
+        assert_eq!(PartTable::new(&scene).bounds().world.min.z, 50.0);
+        scene.instances[0].casts = true;
+        assert_eq!(triangles(&scene), (8192 + 8, 8192 + 16, 8), "what is unlit and casts is no sky");
+    }
+
     #[test]
     fn lists_that_are_made_again_take_no_more_room() {
         let scene = scene();

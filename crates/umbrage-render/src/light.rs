@@ -25,13 +25,15 @@ impl FrameLight {
     pub fn at(light: &umbrage_scene::Light, seconds: f32) -> Result<Self, RenderError> {
         let world_from_light = light.world_from_light_at(seconds);
         let (position, direction) = (world_from_light.w_axis.truncate(), -world_from_light.z_axis.truncate());
+        // NaN is no distance, and neither is one without end.
+        let near = if light.near > 0.0 { light.near.min(f32::MAX) } else { 0.0 };
         let (shadows, cone) = match light.kind {
             LightKind::Directional => (Light::directional(direction)?, [0.0; 2]),
             LightKind::Spot { inner, outer, range } => {
                 let outer = outer.min(WIDEST_HALF_ANGLE);
-                (Light::spot(position, direction, outer, range)?, [inner.min(outer), outer])
+                (Light::spot(position, direction, outer, range)?.with_near(near)?, [inner.min(outer), outer])
             }
-            LightKind::Point { range } => (Light::point(position, range)?, [0.0; 2]),
+            LightKind::Point { range } => (Light::point(position, range)?.with_near(near)?, [0.0; 2]),
         };
         let strength = match light.kind {
             LightKind::Directional => SUN_LIGHT,

@@ -265,7 +265,7 @@ impl Renderer {
         let mut encoder = gpu.encoder("Renderer::casters");
         let draw = |mut casting: Casting<'_>, surface: Surface| {
             while let Some((pass, view)) = casting.next_view() {
-                casters.record(pass, surface, scene, &numbers.buffer, lists.view(view.index));
+                casters.record(pass, view, surface, scene, &numbers.buffer, lists.view(view.index));
             }
         };
         // A timer whose passes never begin would wait for them.

@@ -16,6 +16,7 @@ use gltf::json::{Asset, Index, Mesh as JsonMesh, Node, Root, Scene as JsonScene}
 
 use self::bytes::Document;
 use crate::error::{Fault, SceneError};
+use crate::import::domes;
 use crate::{Scene, extras};
 
 /// Writes a scene as the bytes of a `.glb` file.
@@ -47,8 +48,16 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
             return Err(Fault(format!("an instance of mesh {} of {}", instance.mesh, places.len())));
         };
         if let Some(mesh) = *place {
-            let extras = extras::of_motion(&instance.motion)?;
-            nodes.push(Node { mesh: Some(mesh), extras, ..node(instance.world_from_mesh)? });
+            // A dome would cast nothing without a word.
+            let is_unlit = domes::is_unlit(&meshes[instance.mesh], materials);
+            let cast = if instance.casts && is_unlit {
+                Some(extras::cast_after_all())
+            } else {
+                extras::cast(instance.casts)
+            };
+            let name = (!instance.name.is_empty()).then(|| instance.name.clone());
+            let extras = extras::of_node(&instance.motion, cast)?;
+            nodes.push(Node { mesh: Some(mesh), name, extras, ..node(instance.world_from_mesh)? });
         }
     }
     for camera in cameras {
@@ -61,7 +70,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
     }
     for light in lights {
         let extensions = Some(pieces::add_light(&mut document, light)?);
-        let extras = extras::of_motion(&light.motion)?;
+        let extras = extras::of_node(&light.motion, extras::near(light.near)?)?;
         nodes.push(Node {
             extensions,
             extras,

@@ -4,6 +4,7 @@
 //! panics, and never takes much more memory than the file and the limits in `budget.rs` explain.
 
 mod budget;
+pub(crate) mod domes;
 mod files;
 mod finish;
 mod gltf;
@@ -16,6 +17,7 @@ use std::fs;
 use std::path::Path;
 
 use self::files::Files;
+pub(crate) use self::gltf::UNLIT;
 pub(crate) use self::pictures::MAX_SIDE_PX;
 use self::warnings::Warnings;
 use crate::Scene;

@@ -12,6 +12,7 @@
 mod actors;
 mod bounds;
 mod camera;
+mod casting;
 mod dice;
 mod error;
 mod export;
@@ -25,10 +26,12 @@ mod paint;
 mod plate;
 mod scene;
 mod shape;
+mod shining;
 pub mod worlds;
 
 pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
+pub use casting::NoSuchName;
 pub use error::SceneError;
 pub use export::to_glb;
 pub use import::{Imported, load, load_glb_bytes, load_obj_bytes};
@@ -38,3 +41,4 @@ pub use mesh::{Mesh, Part, Primitive};
 pub use motion::Motion;
 pub use plate::plate_over_ground;
 pub use scene::{Instance, Scene};
+pub use shining::Shining;

@@ -19,6 +19,9 @@ pub struct Light {
     pub intensity: f32,
     /// The kind of the light.
     pub kind: LightKind,
+    /// The distance from a spot or point light, in metres, nearer than which nothing casts a shadow: a lamp stands inside
+    /// its bulb. 0 where the file says nothing.
+    pub near: f32,
     /// The motion of the light from where it stands at time 0.
     pub motion: Motion,
 }
@@ -53,6 +56,7 @@ impl Light {
             colour: Vec3::ONE,
             intensity,
             kind: LightKind::Directional,
+            near: 0.0,
             motion: Motion::Still,
         }
     }
@@ -75,6 +79,7 @@ impl Light {
             colour: Vec3::ONE,
             intensity: candela,
             kind: LightKind::Spot { inner: inner_radians, outer: outer_radians, range },
+            near: 0.0,
             motion: Motion::Still,
         }
     }
@@ -87,6 +92,7 @@ impl Light {
             colour: Vec3::ONE,
             intensity: candela,
             kind: LightKind::Point { range },
+            near: 0.0,
             motion: Motion::Still,
         }
     }

@@ -11,12 +11,17 @@ pub struct Material {
     pub base_colour: Vec4,
     /// The index of the texture in [`crate::Scene::textures`]; `None` for a plain colour.
     pub texture: Option<usize>,
+    /// Whether the surface shows its own colour whatever the lights are (`KHR_materials_unlit`); false by default.
+    pub unlit: bool,
+    /// Whether surfaces of the material cast shadows, where their instance does; true by default.
+    pub casts: bool,
 }
 
 impl Material {
-    /// Makes a material of one opaque colour, given as linear RGB.
+    /// Makes a material of one opaque colour, given as linear RGB, which is lit and casts shadows.
     pub fn plain(name: &str, red: f32, green: f32, blue: f32) -> Self {
-        Self { name: name.to_owned(), base_colour: Vec4::new(red, green, blue, 1.0), texture: None }
+        let base_colour = Vec4::new(red, green, blue, 1.0);
+        Self { name: name.to_owned(), base_colour, texture: None, unlit: false, casts: true }
     }
 }
 

@@ -32,18 +32,22 @@ pub struct Scene {
 /// An instance is a mesh placed in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
+    /// The name that the file gives the instance; empty where it gives none.
+    pub name: String,
     /// The index of the mesh in [`Scene::meshes`].
     pub mesh: usize,
     /// The instance's transform at time 0, which is affine and may mirror.
     pub world_from_mesh: Mat4,
     /// The motion of the instance from where it stands at time 0.
     pub motion: Motion,
+    /// Whether the instance casts shadows. It receives them whether or not.
+    pub casts: bool,
 }
 
 impl Instance {
-    /// Places a mesh that stands still.
+    /// Places a mesh that has no name, stands still and casts shadows.
     pub fn still(mesh: usize, world_from_mesh: Mat4) -> Self {
-        Self { mesh, world_from_mesh, motion: Motion::Still }
+        Self { name: String::new(), mesh, world_from_mesh, motion: Motion::Still, casts: true }
     }
 
     /// Whether the instance moves with time.

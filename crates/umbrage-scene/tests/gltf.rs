@@ -319,13 +319,13 @@ fn what_is_ignored_is_said_in_one_line_a_kind() {
             .to_owned();
     doc.nodes = r#"{"mesh": 0, "skin": 0, "name": "hero"}"#.to_owned();
     doc.rest = r#", "materials": [{"name": "glass", "alphaMode": "BLEND"}, {"alphaMode": "MASK"}],
-        "skins": [{"joints": [0]}], "extensionsUsed": ["KHR_materials_unlit"], "animations": [{"name": "walk", "channels":
+        "skins": [{"joints": [0]}], "extensionsUsed": ["KHR_materials_sheen"], "animations": [{"name": "walk", "channels":
         [{"sampler": 0, "target": {"node": 0, "path": "translation"}}], "samplers": [{"input": 0, "output": 0}]}]"#
         .to_owned();
     assert_eq!(
         doc.load().unwrap().warnings,
         [
-            "extensions that are not supported are ignored: KHR_materials_unlit",
+            "extensions that are not supported are ignored: KHR_materials_sheen",
             "transparent materials are drawn as opaque: glass, material 1",
             "vertex colours are ignored: mesh 0",
             "morph targets are ignored: mesh 0",

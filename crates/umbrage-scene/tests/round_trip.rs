@@ -24,11 +24,16 @@ fn bits(scene: &Scene) -> Vec<String> {
             vector(centre) + &vector(axis) + &floats(&[*radians_per_second])
         }
     };
-    for Instance { mesh, world_from_mesh, motion } in &scene.instances {
-        bits.push(format!("instance {mesh} {} {}", matrix(world_from_mesh), movement(motion)));
+    for Instance { name, mesh, world_from_mesh, motion, casts } in &scene.instances {
+        bits.push(format!(
+            "instance {name:?} {mesh} {} {} {casts}",
+            matrix(world_from_mesh),
+            movement(motion)
+        ));
     }
-    for Material { name, base_colour, texture } in &scene.materials {
-        bits.push(format!("material {name:?} {} {texture:?}", floats(&base_colour.to_array())));
+    for Material { name, base_colour, texture, unlit, casts } in &scene.materials {
+        let base_colour = floats(&base_colour.to_array());
+        bits.push(format!("material {name:?} {base_colour} {texture:?} {unlit} {casts}"));
     }
     bits.extend(scene.textures.iter().map(|texture| format!("{texture:?}")));
     for Camera { name, world_from_camera, lens, near, far } in &scene.cameras {
@@ -38,8 +43,8 @@ fn bits(scene: &Scene) -> Vec<String> {
         };
         bits.push(format!("{kind} {name:?} {} {}", matrix(world_from_camera), floats(&[size, *near, *far])));
     }
-    for Light { name, world_from_light, colour, intensity, kind, motion } in &scene.lights {
-        let colour = floats(&[colour.x, colour.y, colour.z, *intensity]);
+    for Light { name, world_from_light, colour, intensity, kind, near, motion } in &scene.lights {
+        let colour = floats(&[colour.x, colour.y, colour.z, *intensity, *near]);
         let movement = movement(motion);
         bits.push(format!("light {name:?} {} {colour} {kind:?} {movement}", matrix(world_from_light)));
     }
@@ -104,11 +109,15 @@ fn motion() -> impl Strategy<Value = Motion> {
 
 fn instance() -> impl Strategy<Value = Instance> {
     let scale = [0.1f32..5.0, -5.0f32..-0.1, 0.1f32..5.0].prop_map(|s| Mat4::from_scale(s.into()));
-    (0..2usize, rigid(), scale, motion()).prop_map(|(mesh, pose, scale, motion)| Instance {
-        mesh,
-        world_from_mesh: pose * scale,
-        motion,
-    })
+    (".{0,8}", 0..2usize, rigid(), scale, motion(), any::<bool>()).prop_map(
+        |(name, mesh, pose, scale, motion, casts)| Instance {
+            name,
+            mesh,
+            world_from_mesh: pose * scale,
+            motion,
+            casts,
+        },
+    )
 }
 
 fn camera() -> impl Strategy<Value = Camera> {
@@ -122,6 +131,7 @@ fn camera() -> impl Strategy<Value = Camera> {
 }
 
 fn light() -> impl Strategy<Value = Light> {
+    let near = prop_oneof![Just(0.0f32), 1e-3f32..10.0];
     let range = prop_oneof![Just(f32::INFINITY), 0.1f32..1e4];
     let kind = prop_oneof![
         Just(LightKind::Directional),
@@ -132,13 +142,14 @@ fn light() -> impl Strategy<Value = Light> {
             range
         }),
     ];
-    (".{0,8}", rigid(), [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], 0.0f32..1e5, kind, motion()).prop_map(
-        |(name, world_from_light, colour, intensity, kind, motion)| Light {
+    (".{0,8}", rigid(), [0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0], 0.0f32..1e5, kind, near, motion()).prop_map(
+        |(name, world_from_light, colour, intensity, kind, near, motion)| Light {
             name,
             world_from_light,
             colour: colour.into(),
             intensity,
             kind,
+            near,
             motion,
         },
     )
@@ -169,6 +180,8 @@ fn scene() -> impl Strategy<Value = Scene> {
                     name: format!("m{i}"),
                     base_colour: Vec4::from(colour),
                     texture: (i < textures.len()).then_some(i),
+                    unlit: i == 1,
+                    casts: i != 2,
                 })
                 .collect(),
             textures,

@@ -123,7 +123,7 @@ impl Experiment<'_> {
             "# Run with: umbrage report THIS.toml -o DIR\n\
              title = {title}\nsource = \"this project\"\nreported = \"A picture saved from the viewer.\"\n\
              worlds = [{world}]\ncameras = [{camera}]\nsize = [{width}, {height}]\n\
-             columns = [\"error.mis_shadowed\", \"error.false_shadow\", \"error.false_light\", \"error.edge_displacement_px\"]\n\n\
+             columns = [\"error.mis_shadowed\", \"error.mae\", \"error.false_shadow\", \"error.false_light\", \"error.edge_displacement_px\"]\n\n\
              [[variants]]\nname = \"viewer\"\n\n{set}",
             title = quoted(&format!("{} from the viewer", self.scene.name)),
             world = quoted(world),

@@ -2,7 +2,7 @@
 
 use umbrage::Settings;
 use umbrage_render::{Frame, MapLook, Mark, RenderError, Show};
-use umbrage_scene::{Camera, Light, LightKind, Scene};
+use umbrage_scene::{Camera, Light, LightKind, Scene, Shining};
 
 use crate::flight::Flight;
 use crate::lines::PlanLines;
@@ -130,9 +130,14 @@ impl ViewState {
         &self.settings[self.edited]
     }
 
-    /// Returns the world's lights, at most [`umbrage::MAX_LIGHTS`], with the sun where the chosen hour puts it.
+    /// Returns which of the world's lights shine, at most [`umbrage::MAX_LIGHTS`], and what is to be said about the others.
+    pub fn shining(&self, scene: &Scene) -> Shining {
+        Shining::choose(&scene.lights, &self.camera(), self.seconds, umbrage::MAX_LIGHTS)
+    }
+
+    /// Returns the lights that shine, with the sun where the chosen hour puts it.
     pub fn lights(&self, scene: &Scene) -> Vec<Light> {
-        let mut lights: Vec<Light> = scene.lights.iter().take(umbrage::MAX_LIGHTS).cloned().collect();
+        let mut lights = self.shining(scene).lights;
         if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(|light| is_sun(light))) {
             sun.world_from_light = Light::sun(sky::sunlight(hour), 1.0).world_from_light;
         }
@@ -183,4 +188,23 @@ fn flight_at(scene: &Scene, camera: Option<&Camera>) -> Flight {
     let size = (bounds.max - bounds.min).max_element().max(1e-3);
     let ahead = (middle - camera.eye()).dot(camera.forward());
     Flight::at(camera, ahead.clamp(0.02 * size, 0.5 * size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_lights_the_brightest_at_the_camera_shine_and_the_others_are_named() {
+        let mut scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        let eye = scene.cameras[0].eye();
+        let lamp =
+            |i: u8| Light::point(&format!("lamp {i}"), eye + glam::Vec3::Y * f32::from(i + 1), 50.0, 9.0);
+        scene.lights = (0..20).rev().map(lamp).collect();
+        let view = ViewState::new(&scene, Settings::default(), None);
+        let names: Vec<String> = view.lights(&scene).into_iter().map(|light| light.name).collect();
+        assert_eq!(names, (0..16).rev().map(|i| format!("lamp {i}")).collect::<Vec<_>>());
+        let warnings = view.shining(&scene).warnings;
+        assert!(warnings.len() == 1 && warnings[0].contains("\"lamp 16\""), "{warnings:?}");
+    }
 }

@@ -182,6 +182,7 @@ impl Viewer {
         };
         match Drawing::new(&self.gpu, &self.window, &scene, view.sides()) {
             Ok(drawing) => {
+                view.shining(&scene).warnings.into_iter().for_each(|warning| self.messages.say(warning));
                 self.session = Some(Session::new(World::new(source, scene), view, drawing));
                 self.panels.map = 0;
             }

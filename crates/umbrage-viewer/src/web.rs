@@ -121,6 +121,7 @@ fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     if let Some(figures) = viewer.figures(0) {
         set("judged", (figures.tally.judged as f64).into());
         set("misShadowed", figures.tally.mis_shadowed().into());
+        set("meanError", figures.tally.mae().into());
     }
     let widgets = js_sys::Object::new();
     for (name, rect) in probe.map(Probe::widgets).unwrap_or_default() {

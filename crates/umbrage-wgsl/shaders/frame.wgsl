@@ -62,6 +62,8 @@ struct UmbrageFrame {
     /// Bias toward the light, texels times tangent.
     bias_slope: f32,
     bias_slope_limit: f32,
+    /// How far a receiver's plane is taken to bend toward the light a texel beside it, texels over the cosine.
+    bias_bend: f32,
     /// Offset along the normal, in reaches of the filter.
     bias_normal: f32,
     /// Cosine of the angle between normal and light up to which light fades in.

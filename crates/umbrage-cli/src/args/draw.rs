@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::parse::{area_degrees, size};
-use super::{AdapterArgs, PlaceArgs, ShadowArgs, WorldArgs};
+use super::{AdapterArgs, CastArgs, PlaceArgs, ShadowArgs, WorldArgs};
 
 #[derive(Debug, Args)]
 pub struct DemoArgs {
@@ -38,6 +38,8 @@ pub struct ViewArgs {
     /// Size of the window, points; 1280x800
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
+    #[command(flatten)]
+    pub casting: CastArgs,
     #[command(flatten)]
     pub shadows: ShadowArgs,
     #[command(flatten)]

@@ -12,6 +12,12 @@ pub fn vec3(text: &str) -> Result<Vec3, String> {
     }
 }
 
+/// Metres, 0 or more.
+pub fn distance(text: &str) -> Result<f32, String> {
+    let metres = text.parse().ok().filter(|metres: &f32| metres.is_finite() && *metres >= 0.0);
+    metres.ok_or_else(|| "wanted metres, 0 or more".to_owned())
+}
+
 /// Degrees from 0 to 90.
 pub fn sun_angle(text: &str) -> Result<f64, String> {
     let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
@@ -44,6 +50,10 @@ mod tests {
         assert_eq!(vec3("1, -2.5,3e1"), Ok(Vec3::new(1.0, -2.5, 30.0)));
         for wrong in ["", "1,2", "1,2,3,4", "a,b,c", "1,nan,2", "1,,2,3"] {
             assert!(vec3(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(distance("0.25"), Ok(0.25));
+        for wrong in ["", "-1", "nan", "inf", "1e99", "near"] {
+            assert!(distance(wrong).is_err(), "{wrong}");
         }
         assert_eq!(size("640x360"), Ok((640, 360)));
         for wrong in ["", "640", "0x5", "5x0", "-1x5", "axb"] {

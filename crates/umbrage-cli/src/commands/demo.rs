@@ -8,7 +8,7 @@ use image::RgbaImage;
 use umbrage::{LightKind, Preset, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
 use umbrage_render::{Drawn, Frame, Gpu, Mark, Picture, Renderer, Show};
-use umbrage_scene::Scene;
+use umbrage_scene::{Scene, Shining};
 
 use crate::args::DemoArgs;
 use crate::commands::plan::splits_text;
@@ -82,11 +82,8 @@ pub fn run(args: &DemoArgs) -> Outcome {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let lights = if scene.lights.len() == 1 {
-        "one light".to_owned()
-    } else {
-        format!("{} lights", scene.lights.len())
-    };
+    let lights =
+        if shot.lights.len() == 1 { "one light".to_owned() } else { format!("{} lights", shot.lights.len()) };
     let heading =
         format!("{}: {} triangles, {lights}, one camera; {}", scene.name, scene.triangles(), gpu.adapter);
     let sheet = compose(&heading, &columns)?;
@@ -111,10 +108,12 @@ pub fn run(args: &DemoArgs) -> Outcome {
 /// The world's first camera and its lights.
 fn main_shot(scene: &Scene) -> Outcome<Shot> {
     let camera = scene.cameras.first().context("this world has no camera")?.clone();
-    if scene.lights.is_empty() {
+    let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, 0.0, umbrage::MAX_LIGHTS);
+    world::warn(&warnings);
+    if lights.is_empty() {
         return Err(Failure::usage("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
     }
-    Ok(Shot { camera, lights: scene.lights.clone(), seconds: 0.0, width: WIDTH, height: HEIGHT })
+    Ok(Shot { camera, lights, seconds: 0.0, width: WIDTH, height: HEIGHT })
 }
 
 fn column(
@@ -173,6 +172,7 @@ fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> 
         },
         format!("a texel is {} m", texels.join(", ")),
         format!("{} of pixels wrongly shadowed or lit{edges}", percent(error.mis_shadowed)),
+        format!("visibility is off by {} in the mean", percent(error.mae)),
         format!(
             "{} shadowed falsely, {} lit falsely",
             percent(error.false_shadow),

@@ -38,7 +38,7 @@ struct Sure {
 pub fn run(args: &MeasureArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     check_outputs(args)?;
-    let scene = world::load(&args.world.world, args.world.seed)?;
+    let scene = world::open(&args.world)?;
     advice::warn_of_open_casters(&scene, &settings);
     let shot = world::shot(&args.world, &scene, SIZE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
@@ -154,8 +154,9 @@ fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sur
 }
 
 fn band_text(band: &DepthBand) -> String {
-    let DepthBand { depths: [from, to], pixels, mis_shadowed, edge_displacement_px, .. } = band;
+    let DepthBand { depths: [from, to], pixels, mis_shadowed, mae, edge_displacement_px, .. } = band;
     let edges =
         edge_displacement_px.map_or_else(String::new, |px| format!(", edges displaced by {px:.3} px"));
-    format!("{from:.1} to {to:.1} m, {pixels} pixels, {:.3} % mis-shadowed{edges}", 100.0 * mis_shadowed)
+    let wrong = format!("{:.3} % mis-shadowed, mean error {mae:.4}", 100.0 * mis_shadowed);
+    format!("{from:.1} to {to:.1} m, {pixels} pixels, {wrong}{edges}")
 }

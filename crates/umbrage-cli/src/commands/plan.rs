@@ -11,8 +11,8 @@ use crate::{output, settings, world};
 
 pub fn run(args: &PlanArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
-    let scene = world::load(&args.world.world, args.world.seed)?;
-    let frame = world::frame(&args.world, &scene, Show::World)?;
+    let scene = world::open(&args.world)?;
+    let frame = world::frame(&world::shot(&args.world, &scene, world::PICTURE)?, Show::World)?;
     let bounds = umbrage_render::bounds(&scene, frame.seconds);
     let lights: Vec<Light> = frame.lights.iter().map(|light| light.light).collect();
     let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::usage)?;

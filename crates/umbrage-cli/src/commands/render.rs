@@ -21,17 +21,18 @@ pub fn run(args: &RenderArgs) -> Outcome {
         ));
     }
     let settings = settings::resolve(&args.shadows)?;
-    let scene = world::load(&args.world.world, args.world.seed)?;
+    let scene = world::open(&args.world)?;
     advice::warn_of_open_casters(&scene, &settings);
     let show = match (args.no_shadows, args.splits) {
         (true, _) => Show::Unshadowed,
         (false, true) => Show::Marked(Mark::Splits),
         (false, false) => Show::World,
     };
-    let frame = world::frame(&args.world, &scene, show)?;
+    let shot = world::shot(&args.world, &scene, world::PICTURE)?;
+    let frame = world::frame(&shot, show)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     if let Some(path) = &args.aliasing {
-        write_aliasing(path, &gpu, &scene, &world::shot(&args.world, &scene, world::PICTURE)?, &settings)?;
+        write_aliasing(path, &gpu, &scene, &shot, &settings)?;
     }
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
     let area = args.area_samples.map(|samples| Area { samples, degrees: args.area_degrees });

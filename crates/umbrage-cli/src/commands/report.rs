@@ -1,15 +1,15 @@
 //! `umbrage report`: an experiment, as a page, as figures, as contact sheets, and as the results it is made of.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use umbrage_lab::{Entry, Experiment, LabError, Laboratory, Row, Store, csv, files, page};
 use umbrage_render::Gpu;
-use umbrage_scene::Scene;
+use umbrage_scene::{Camera, Imported, Scene, Shining};
 
 use crate::args::ReportArgs;
 use crate::failure::{Failure, Outcome};
-use crate::{contact_sheet, output, progress};
+use crate::{contact_sheet, output, progress, world};
 
 pub fn run(args: &ReportArgs) -> Outcome {
     let (experiment, scenes) = read(&args.experiment)?;
@@ -33,7 +33,8 @@ pub fn run(args: &ReportArgs) -> Outcome {
 fn read(path: &Path) -> Outcome<(Experiment, BTreeMap<String, Scene>)> {
     let mut scenes = BTreeMap::new();
     let experiment = Experiment::read_with(path, |name, seed| {
-        let scene = files::load_world(name, seed)?.scene;
+        let Imported { scene, warnings } = files::load_world(name, seed)?;
+        world::warn(&warnings);
         let cameras = scene.cameras.iter().map(|camera| camera.name.clone()).collect();
         if scene.lights.is_empty() {
             return Err(LabError::Missing { what: "light".to_owned(), world: name.to_owned() });
@@ -42,10 +43,25 @@ fn read(path: &Path) -> Outcome<(Experiment, BTreeMap<String, Scene>)> {
         Ok(cameras)
     });
     match experiment {
-        Ok(experiment) => Ok((experiment, scenes)),
+        Ok(experiment) => {
+            world::warn(&dark(&experiment, &scenes).into_iter().collect::<Vec<_>>());
+            Ok((experiment, scenes))
+        }
         Err(why @ LabError::Experiment { .. }) => Err(Failure::usage(why)),
         Err(why) => Err(why.into()),
     }
+}
+
+/// What is to be said about lights that do not shine, each once.
+fn dark(experiment: &Experiment, scenes: &BTreeMap<String, Scene>) -> BTreeSet<String> {
+    let is_used = |camera: &&Camera| experiment.cameras.contains(&camera.name);
+    let shots =
+        scenes.values().flat_map(|scene| scene.cameras.iter().filter(is_used).map(move |c| (scene, c)));
+    let warnings = shots.flat_map(|(Scene { name, lights, .. }, camera)| {
+        let shining = Shining::choose(lights, camera, 0.0, umbrage::MAX_LIGHTS);
+        shining.warnings.into_iter().map(move |warning| format!("{name}: {warning}"))
+    });
+    warnings.collect()
 }
 
 /// Every run's outcome; worlds are uploaded when a run first needs them.

@@ -16,7 +16,8 @@ use crate::{output, settings, world};
 
 pub fn run(args: &ViewArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
-    let scene = world::load(&args.world, 0)?;
+    let mut scene = world::load(&args.world, 0)?;
+    world::let_cast(&mut scene, &args.casting)?;
     let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
     if !native::has_display() {
         return Err(work(native::NO_DISPLAY.to_owned()));
@@ -51,7 +52,7 @@ fn of_scene(name: &str, scene: Scene, settings: Settings) -> Start {
 
 /// What is seen, as the other commands ask for it.
 fn seen(args: &ViewArgs) -> WorldArgs {
-    let ViewArgs { world, place, time, size: _, shadows: _, adapter: _, bench: _ } = args;
+    let ViewArgs { world, place, time, size: _, casting, shadows: _, adapter: _, bench: _ } = args;
     WorldArgs {
         world: world.clone(),
         place: place.clone(),
@@ -60,6 +61,8 @@ fn seen(args: &ViewArgs) -> WorldArgs {
         far: None,
         sun: None,
         light: Vec::new(),
+        near_light: None,
+        casting: casting.clone(),
         size: None,
         time: *time,
         seed: 0,

@@ -153,9 +153,11 @@ fn no_depth_that_is_compared_lies_farther_toward_the_light_than_the_margin() {
             let texel_basis = view.texel_basis_at(Vec3::ONE);
             let gradient = with(bias, filter).reference_gradient(&texel_basis, normal.as_vec3(), Vec3::Y);
             let toward = with(bias, filter).bias_metres(&texel_basis, normal.as_vec3(), Vec3::Y);
-            let nearest = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres
-                + toward.along_normal
-                + toward.toward_light;
+            // What is steeper is clamped where it is compared.
+            let room = std::f32::consts::SQRT_2 * filter.plane_depth_texels() * view.texel_metres;
+            let plane = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres;
+            let bend = toward.bend * std::f32::consts::SQRT_2 * filter.reach_texels();
+            let nearest = plane.min(room) + toward.along_normal + toward.toward_light + bend;
             assert!(nearest <= margin, "{degrees}°, rotated {step} times: {nearest} m, more than {margin} m");
         }
     }

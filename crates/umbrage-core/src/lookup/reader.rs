@@ -3,6 +3,7 @@
 use glam::{Mat2, Vec2};
 
 use super::place::{Place, Query};
+use crate::bias::OWN_TEXEL;
 use crate::filter::light_size::LightSize;
 
 /// No receiver is nearer than this: see `UMBRAGE_NEAREST_COMPARED` of the shaders.
@@ -64,9 +65,11 @@ impl Reader<'_> {
     /// Whether a texel, given by its upper left corner, leaves the receiver lit: 1 or 0.
     pub fn lit(&self, corner: Vec2) -> f32 {
         let inside = corner.clamp(Vec2::ZERO, Vec2::splat((self.side() - 1) as f32));
-        let Place { texel, compare_depth, gradient, .. } = self.place;
-        let plane = compare_depth + gradient.dot(inside + 0.5 - texel);
-        let compared = plane.clamp(0.0, compare_depth.max(NEAREST_COMPARED));
+        let Place { texel, compare_depth, gradient, bend, .. } = self.place;
+        let beside = inside + 0.5 - texel;
+        let plane = compare_depth + gradient.dot(beside);
+        let compared = (plane + bend * (beside.length() - OWN_TEXEL).max(0.0))
+            .clamp(0.0, compare_depth.max(NEAREST_COMPARED));
         f32::from(u8::from(compared >= self.stored(inside)))
     }
 

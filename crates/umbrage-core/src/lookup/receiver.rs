@@ -86,7 +86,7 @@ impl<'a> Receiver<'a> {
         let Self { settings, position, normal, .. } = *self;
         if view.clip(position).w <= 0.0 {
             let (texel, gradient) = (Vec2::NEG_ONE, Vec2::ZERO);
-            return Place { texel, compare_depth: -1.0, gradient, texel_metres: Vec2::ONE };
+            return Place { texel, compare_depth: -1.0, gradient, bend: 0.0, texel_metres: Vec2::ONE };
         }
         let to_light = self.plan.lights()[view.light].direction_from(position);
         let texel_basis = view.texel_basis_at(position);
@@ -101,6 +101,7 @@ impl<'a> Receiver<'a> {
                     * RASTER_STEP_TEXELS
                 + view.depth_rounding(settings.depth, ndc.z),
             gradient: settings.reference_gradient(&texel_basis, normal, to_light),
+            bend: texel_basis.rise(to_light) * bias.bend,
             texel_metres: Vec2::new(texel_basis.right.length(), texel_basis.down.length()),
         }
     }

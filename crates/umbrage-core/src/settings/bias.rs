@@ -21,11 +21,15 @@ pub struct Bias {
     /// How far a lookup moves toward the light, from 0 to 1000 metres. The default is 0.
     pub constant: f32,
     /// How far a lookup moves toward the light, from 0 to 100 texels of the view, times the tangent of the angle between
-    /// normal and light. The default is 0.5.
+    /// normal and light. The default is 0.
     pub slope: f32,
-    /// The largest tangent that `slope` is multiplied with, from 0 to 10000; it is 2 in opengl-tutorial 16 (0.01 / 0.005).
-    /// The default is 16.
+    /// The largest tangent that counts for `slope` and `bend`, from 0 to 10000; it is 2 in opengl-tutorial 16
+    /// (0.01 / 0.005). The default is 8.
     pub slope_limit: f32,
+    /// How far a receiver's surface is taken to bend away from its plane, toward the light, for each texel that a comparison
+    /// lies beside the receiver; from 0 to 100 texels of the view, over the cosine of the angle between normal and light.
+    /// A comparison with the receiver's own texel counts as 0.7 texels away. The default is 0.5.
+    pub bend: f32,
     /// How far a lookup moves along the receiver's normal, in reaches of the filter, from 0 to 100. Without
     /// `receiver_plane`, 1 is the smallest that is exact for the filter's kernel on a flat receiver. The default is 0.
     pub normal: f32,
@@ -74,10 +78,10 @@ pub enum DepthLayer {
 }
 
 /// What plans depend on, of a bias.
-pub(crate) type PlanBias = [f32; 4];
+pub(crate) type PlanBias = [f32; 5];
 
 /// What is uploaded with each frame, of a bias.
-pub(crate) type FrameBias = [f32; 6];
+pub(crate) type FrameBias = [f32; 7];
 
 /// The numbers of a bias, by what depends on them.
 pub(crate) struct BiasNumbers {
@@ -90,10 +94,11 @@ impl Default for Bias {
         Self {
             raster_constant: 0,
             raster_slope: 0.0,
-            constant: 0.0,     // rounding is known, and stood off by itself
-            slope: 0.5,        // bends between triangles: docs/decisions/0017
-            slope_limit: 16.0, // 86°; steeper walls get next to no light
-            normal: 0.0,       // it moves the lookup aside, and shadows shrink
+            constant: 0.0,    // rounding is known, and stood off by itself
+            slope: 0.0,       // what is flat needs none
+            slope_limit: 8.0, // 83°; steeper walls get next to no light
+            bend: 0.5,        // bends between triangles: docs/decisions/0028
+            normal: 0.0,      // it moves the lookup aside, and shadows shrink
             receiver_plane: true,
             casters: CasterFaces::Both,
             depth_layer: DepthLayer::First,
@@ -113,6 +118,7 @@ impl Bias {
             constant,
             slope,
             slope_limit,
+            bend,
             normal,
             receiver_plane: _,
             casters: _,
@@ -121,8 +127,8 @@ impl Bias {
             terminator,
         } = *self;
         BiasNumbers {
-            plan: [constant, slope, slope_limit, normal],
-            frame: [constant, slope, slope_limit, normal, terminator, depth_layer_limit],
+            plan: [constant, slope, slope_limit, bend, normal],
+            frame: [constant, slope, slope_limit, bend, normal, terminator, depth_layer_limit],
         }
     }
 
@@ -133,6 +139,7 @@ impl Bias {
         constant: 0.0,
         slope: 0.0,
         slope_limit: 2.0,
+        bend: 0.0,
         normal: 0.0,
         receiver_plane: false,
         casters: CasterFaces::Both,
@@ -151,6 +158,7 @@ impl Bias {
             constant,
             slope,
             slope_limit,
+            bend,
             normal,
             receiver_plane: _,
             casters: _,
@@ -163,6 +171,7 @@ impl Bias {
         CONSTANT.check(*constant)?;
         SLOPE.check(*slope)?;
         SLOPE_LIMIT.check(*slope_limit)?;
+        BEND.check(*bend)?;
         NORMAL.check(*normal)?;
         DEPTH_LAYER_LIMIT.check(*depth_layer_limit)?;
         TERMINATOR.check(*terminator)
@@ -174,6 +183,7 @@ pub(crate) const KEYS: &[Key] = &[
     CONSTANT,
     SLOPE,
     SLOPE_LIMIT,
+    BEND,
     NORMAL,
     RASTER_CONSTANT,
     RASTER_SLOPE,
@@ -220,10 +230,21 @@ const SLOPE: Key = Key {
 const SLOPE_LIMIT: Key = Key {
     name: "bias.slope_limit",
     label: "steepest slope",
-    help: "The largest tangent that `bias.slope` is multiplied with. \
+    help: "The largest tangent that counts for `bias.slope` and `bias.bend`. \
            Less of it leaves acne on steep walls, more of it detaches their shadows.",
     source: "opengl-tutorial 16, where it is 2",
     values: Values::number(0.0, 1e4, [0.0, 40.0]),
+    ..BASE
+};
+
+const BEND: Key = Key {
+    name: "bias.bend",
+    label: "bend",
+    help: "How far the surface is taken to bend toward the light for each texel that a comparison lies beside the \
+           receiver, over the cosine of the angle between normal and light. \
+           Less of it leaves acne where triangles meet, more of it lets light in at contacts.",
+    unit: "texels",
+    values: Values::number(0.0, 100.0, [0.0, 2.0]),
     ..BASE
 };
 

@@ -67,7 +67,8 @@ fn ground_points(shadowed: &impl Fn(DVec3) -> bool) -> Vec<DVec3> {
 pub fn demand(what: &str, casters: &[[Vec3; 3]], light: &Light, shadowed: impl Fn(DVec3, f64) -> bool) {
     let world = World::of_triangles(ground().into_iter().chain(casters.iter().copied()).collect());
     let points = ground_points(&|p| shadowed(p, 0.0));
-    let anchors: Vec<Anchor> = points.iter().map(|p| Anchor { position: *p, normal: DVec3::Y }).collect();
+    let anchors: Vec<Anchor> =
+        points.iter().map(|p| Anchor { position: *p, normal: DVec3::Y, lift: 0.0 }).collect();
     let (mut compared, mut dark) = (0, 0);
     for (p, traced) in points.iter().zip(visibility(&world, light, &anchors)) {
         let truth = shadowed(*p, 0.0);

@@ -91,6 +91,10 @@ fn row(figure: &Figure, check: &Check, has_motion: bool) -> Vec<Field> {
         let number = |means: [f64; 2]| minus(&figure.format.number(means[i]));
         let mut parts = vec![Part::Plain(check.means.map_or_else(|| "–".to_owned(), number))];
         parts.extend(swept.as_ref().map(|at| Part::Small(format!("at {at}"))));
+        let beside = figure.companion().zip(check.beside);
+        parts.extend(
+            beside.map(|(of, means)| Part::Small(format!("{} {}", of.label, minus(&of.text(means[i]))))),
+        );
         Field::new(Kind::Number, parts)
     };
     let (class, words) = check.verdict.words();
@@ -152,7 +156,7 @@ pub(super) fn table_name(index: usize) -> String {
 }
 
 fn check_json(check: &Check) -> Value {
-    let Check { world, camera, motion, swept, than_swept, means, ratios, verdict, missing } = check;
+    let Check { world, camera, motion, swept, than_swept, means, beside, ratios, verdict, missing } = check;
     let is_measured = !ratios.samples.is_empty();
     json!({
         "world": world,
@@ -161,6 +165,7 @@ fn check_json(check: &Check) -> Value {
         "swept": swept,
         "than_swept": than_swept,
         "means": means,
+        "beside": beside,
         "ratios": ratios.samples,
         "ratio": is_measured.then(|| ratios.mean()),
         "half_width": is_measured.then(|| ratios.half_width()),

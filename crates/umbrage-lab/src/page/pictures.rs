@@ -85,7 +85,8 @@ fn caption(measurement: &Measurement) -> Markup {
     };
     let text = |key: &str, value: f64| Figure::named(key).map_or_else(String::new, |f| f.text(value));
     html! {
-        (text("error.mis_shadowed", error.mis_shadowed)) " mis-shadowed: "
+        (text("error.mis_shadowed", error.mis_shadowed)) " mis-shadowed, mean error "
+        (text("error.mae", error.mae)) ": "
         (text("error.false_shadow", error.false_shadow)) " false shadow, "
         (text("error.false_light", error.false_light)) " false light"
     }

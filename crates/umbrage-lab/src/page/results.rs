@@ -10,7 +10,7 @@ use crate::figures::Figure;
 use crate::tabulate::{Group, motion_text};
 
 /// A column: a figure, or the key of one that there is not.
-type Column<'a> = Result<&'static Figure, &'a str>;
+type Column = Result<&'static Figure, String>;
 
 /// The section of the page.
 pub(super) fn section(experiment: &Experiment, table: &Table) -> Markup {
@@ -37,8 +37,15 @@ pub(super) fn table(experiment: &Experiment, groups: &[Group]) -> Table {
     Table { heads, groups }
 }
 
-fn columns(experiment: &Experiment) -> Vec<Column<'_>> {
-    experiment.columns.iter().map(|key| Figure::named(key).ok_or(key.as_str())).collect()
+/// The columns that the experiment asks for, each with its companion beside it.
+fn columns(experiment: &Experiment) -> Vec<Column> {
+    let is_asked_for = |figure: &&Figure| experiment.columns.iter().any(|key| key == figure.key);
+    let with_companion = |key: &'_ String| {
+        let figure = Figure::named(key);
+        let companion = figure.and_then(Figure::companion).filter(|companion| !is_asked_for(companion));
+        std::iter::once(figure.ok_or(key.clone())).chain(companion.map(Ok))
+    };
+    experiment.columns.iter().flat_map(with_companion).collect()
 }
 
 fn note(experiment: &Experiment) -> String {
@@ -87,7 +94,7 @@ pub(super) fn place(group: &Group) -> Vec<Part> {
 
 /// The group that has the minimum of a figure, if that is sure: its interval touches that of no other.
 fn best(column: &Column, beside: &[Group]) -> Option<usize> {
-    let figure = column.ok().filter(|figure| figure.is_better_lower())?;
+    let figure = column.as_ref().ok().filter(|figure| figure.is_better_lower())?;
     let intervals: Vec<(usize, Interval)> =
         beside.iter().enumerate().filter_map(|(i, group)| Some((i, group.interval(figure.key)?))).collect();
     let (best, min) = intervals.iter().min_by(|(_, a), (_, b)| a.mean().total_cmp(&b.mean()))?;
@@ -106,7 +113,7 @@ fn row(
     let is_unjudged = |column: &Column| {
         !group.is_judged()
             && group.motion.is_none()
-            && column.is_ok_and(|figure| figure.is_of_judged_pixels())
+            && column.as_ref().is_ok_and(|figure| figure.is_of_judged_pixels())
     };
     let marked: Vec<(&Column, bool)> = columns.iter().zip(is_best.iter().copied()).collect();
     let mut fields = vec![Field::plain(Kind::Name, group.name(experiment))];
@@ -127,7 +134,7 @@ fn row(
 }
 
 fn number(column: &Column, is_best: bool, group: &Group) -> Field {
-    let value = column.ok().and_then(|figure| value(figure, is_best, group));
+    let value = column.as_ref().ok().and_then(|figure| value(figure, is_best, group));
     Field::new(Kind::Number, value.unwrap_or_else(|| vec![Part::Plain("–".to_owned())]))
 }
 

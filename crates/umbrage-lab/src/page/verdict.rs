@@ -5,6 +5,7 @@
 
 use umbrage_judge::statistics::Interval;
 
+use crate::figures::Figure;
 use crate::tabulate::{Group, value_text};
 use crate::{Claim, Experiment, Motion};
 
@@ -35,6 +36,8 @@ pub struct Check<'a> {
     /// The figure that should be smaller and the one that it is compared with, each the mean of the pairs; `None` without
     /// any pair.
     pub means: Option<[f64; 2]>,
+    /// The means of the figure that is shown beside it, where there is one.
+    pub beside: Option<[f64; 2]>,
     /// The ratio of each pair, by rising repeat; empty where there is none.
     pub ratios: Interval,
     /// The verdict that follows from the ratios.
@@ -79,18 +82,26 @@ fn check<'a>(claim: &Claim, group: &Group<'a>, than: &Group<'a>) -> Check<'a> {
         false if is_negative => "below 0, where a ratio says nothing",
         false => "",
     };
-    let mean = |i: usize| pairs.iter().map(|pair| pair[i]).sum::<f64>() / pairs.len() as f64;
+    let companion = Figure::named(&claim.figure).and_then(Figure::companion);
+    let beside = companion.map(|figure| self::pairs(group.samples(figure.key), than.samples(figure.key)));
     Check {
         world: group.world,
         camera: group.camera,
         motion: group.motion,
         swept: group.swept.map(value_text),
         than_swept: than.swept.map(value_text),
-        means: (!pairs.is_empty()).then(|| [mean(0), mean(1)]),
+        means: means(&pairs),
+        beside: beside.and_then(|pairs| means(&pairs)),
         verdict: verdict(&ratios, claim.times),
         ratios,
         missing,
     }
+}
+
+/// The mean of either side; `None` without any pair.
+fn means(pairs: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let mean = |i: usize| pairs.iter().map(|pair| pair[i]).sum::<f64>() / pairs.len() as f64;
+    (!pairs.is_empty()).then(|| [mean(0), mean(1)])
 }
 
 /// The samples of repeats that both variants have.

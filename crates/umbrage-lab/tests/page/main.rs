@@ -154,11 +154,33 @@ fn a_claim_holds_though_one_view_has_nothing_to_judge() {
 }
 
 #[test]
+fn the_mean_error_stands_beside_mis_shadowed_pixels_and_nowhere_twice() {
+    let table = |columns: &[&str]| {
+        let columns = columns.iter().map(|column| (*column).to_owned()).collect();
+        let experiment = Experiment { columns, claims: vec![], plots: vec![], ..small() };
+        page(&experiment, &rows(&experiment))
+    };
+    let heads = |page: &str| page.matches("<th class=\"number\">mean error</th>").count();
+    for (columns, shown) in [
+        (&["error.mis_shadowed", "bytes"][..], 1),
+        (&["error.mae", "error.mis_shadowed"], 1),
+        (&["error.mis_shadowed", "error.mae"], 1),
+        (&["error.false_light", "bytes"], 0),
+    ] {
+        assert_eq!(heads(&table(columns)), shown, "{columns:?}");
+    }
+    let beside = "mis-shadowed<br><small>%</small></th><th class=\"number\">mean error</th>";
+    assert!(table(&["bytes", "error.mis_shadowed", "flip"]).contains(beside), "next to it");
+    let claims = page(&small(), &rows(&small()));
+    assert!(claims.contains("<small>mean error 0."), "beside the means of a claim: {claims}");
+}
+
+#[test]
 fn the_best_is_bold_where_it_is_sure() {
     let experiment = small();
     let mut rows = rows(&experiment);
     let bold = |page: &str| page.matches("<td class=\"number\"><b>").count();
-    assert_eq!(bold(&page(&experiment, &rows)), 6, "every column of repeats; times are of one");
+    assert_eq!(bold(&page(&experiment, &rows)), 7, "every column of repeats; times are of one");
     for row in &mut rows {
         row.outcome.measurement.error = Some(fabricate::error(0.01));
     }
@@ -175,7 +197,7 @@ fn what_cannot_be_judged_says_so_and_nothing_is_divided_by_zero() {
         row.outcome.measurement.truth.pixels = 0;
     }
     let page = page(&experiment, &rows);
-    assert!(page.contains("colspan=\"5\">no pixels to judge"), "the table");
+    assert!(page.contains("colspan=\"6\">no pixels to judge"), "the table");
     assert!(page.contains("<span class=\"none\">no pixels to judge</span></figcaption>"), "the pictures");
     assert!(page.contains("<td class=\"number\">no pixels to judge</td>"), "the claims");
     assert!(page.contains("0 of 3 claims hold") && page.contains("No ratio in 1."), "and their sum");

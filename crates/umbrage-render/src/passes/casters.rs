@@ -1,6 +1,6 @@
 //! The pass that draws a scene's casters into a shadow view.
 
-use umbrage::{CasterVertex, Shadows, caster_wgsl};
+use umbrage::{CasterVertex, ShadowView, Shadows, caster_wgsl};
 
 use crate::draws::Draw;
 use crate::gpu::Gpu;
@@ -13,9 +13,11 @@ use crate::shaders;
 pub(crate) struct Casters {
     /// For instances as they are, and for instances that mirror their mesh: these turn its winding over.
     by_mirroring: [wgpu::RenderPipeline; 2],
+    /// The same for views that clip casters at their near plane, where the others flatten them onto it.
+    clipping_by_mirroring: Option<[wgpu::RenderPipeline; 2]>,
     /// The same for the second surface that the light meets, where there is one.
     second_by_mirroring: Option<[wgpu::RenderPipeline; 2]>,
-    /// Group 1 of both.
+    /// Group 1 of all.
     instances: wgpu::BindGroup,
 }
 
@@ -43,10 +45,13 @@ impl Casters {
         });
         let [plain, mirrored] = &vertices;
         let first = |vertex| gpu.counted(shadows.caster_pipeline(&gpu.device, vertex));
+        let clipping =
+            |vertex| shadows.clipping_caster_pipeline(&gpu.device, vertex).map(|made| gpu.counted(made));
         let second =
             |vertex| shadows.second_caster_pipeline(&gpu.device, vertex).map(|made| gpu.counted(made));
         Self {
             by_mirroring: [plain, mirrored].map(first),
+            clipping_by_mirroring: clipping(plain).zip(clipping(mirrored)).map(<[_; 2]>::from),
             second_by_mirroring: second(plain).zip(second(mirrored)).map(<[_; 2]>::from),
             instances,
         }
@@ -61,13 +66,15 @@ impl Casters {
     pub fn record(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
+        view: &ShadowView,
         surface: Surface,
         scene: &SceneBuffers,
         instance_numbers: &wgpu::Buffer,
         draws: &[Draw],
     ) {
         let pipelines = match surface {
-            Surface::First => Some(&self.by_mirroring),
+            Surface::First if view.unclipped_depth => Some(&self.by_mirroring),
+            Surface::First => self.clipping_by_mirroring.as_ref().or(Some(&self.by_mirroring)),
             Surface::Second => self.second_by_mirroring.as_ref(),
         };
         let Some(pipelines) = pipelines else { return };

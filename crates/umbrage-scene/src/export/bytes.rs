@@ -17,6 +17,14 @@ impl Document {
         Self { root, bytes: Vec::new() }
     }
 
+    /// Says that the document uses an extension.
+    pub fn declare(&mut self, extension: &str) {
+        let used = &mut self.root.extensions_used;
+        if !used.iter().any(|other| other == extension) {
+            used.push(extension.to_owned());
+        }
+    }
+
     /// The JSON, with its buffer declared, and the buffer.
     pub fn finish(mut self) -> (Root, Vec<u8>) {
         if !self.bytes.is_empty() {

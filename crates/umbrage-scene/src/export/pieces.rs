@@ -11,13 +11,16 @@ use gltf::json::extensions::scene::{Node as NodeExtensions, khr_lights_punctual 
 use gltf::json::material::{PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked::Valid;
-use gltf::json::{Camera as JsonCamera, Image, Index, Material as JsonMaterial, Mesh as JsonMesh, texture};
+use gltf::json::{
+    Camera as JsonCamera, Image, Index, Material as JsonMaterial, Mesh as JsonMesh, Value, texture,
+};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _};
 
 use super::bytes::Document;
 use crate::error::Fault;
-use crate::import::MAX_SIDE_PX;
+use crate::extras;
+use crate::import::{MAX_SIDE_PX, UNLIT};
 use crate::{Aabb, Camera, Lens, Light, LightKind, Material, Mesh, Part, Texture};
 
 const LIGHTS: &str = "KHR_lights_punctual";
@@ -34,7 +37,7 @@ pub(super) fn add_materials(
         let texture = textures.get(i).ok_or_else(|| Fault(format!("texture {i} of {}", textures.len())))?;
         *index = add_texture(document, texture)?;
     }
-    for Material { name, base_colour, texture } in materials {
+    for Material { name, base_colour, texture, unlit, casts } in materials {
         if !base_colour.is_finite() {
             return Err(Fault(format!("the base colour of material {name:?} is {base_colour}")));
         }
@@ -50,8 +53,16 @@ pub(super) fn add_materials(
             metallic_factor: StrengthFactor(0.0),
             ..PbrMetallicRoughness::default()
         };
+        let unlit = unlit.then(|| {
+            document.declare(UNLIT);
+            let mut extensions = gltf::json::extensions::material::Material::default();
+            extensions.others.insert(UNLIT.to_owned(), std::iter::empty::<(String, Value)>().collect());
+            extensions
+        });
         document.root.push(JsonMaterial {
             name: Some(name.clone()),
+            extras: extras::of_material(*casts)?,
+            extensions: unlit,
             pbr_metallic_roughness,
             ..JsonMaterial::default()
         });
@@ -194,7 +205,7 @@ pub(super) fn add_camera(document: &mut Document, camera: &Camera) -> Result<Ind
 
 /// Adds a light; the returned extension makes it hang on a node.
 pub(super) fn add_light(document: &mut Document, light: &Light) -> Result<NodeExtensions, Fault> {
-    let Light { name, world_from_light: _, colour, intensity, kind, motion: _ } = light;
+    let Light { name, world_from_light: _, colour, intensity, kind, near: _, motion: _ } = light;
     let (type_, range, spot) = match *kind {
         LightKind::Directional => (punctual::Type::Directional, f32::INFINITY, None),
         LightKind::Point { range } => (punctual::Type::Point, range, None),
@@ -209,9 +220,7 @@ pub(super) fn add_light(document: &mut Document, light: &Light) -> Result<NodeEx
     if !(colour.is_finite() && intensity.is_finite() && angles && !range.is_nan()) {
         return Err(Fault(format!("light {name:?} has numbers that are not finite, {kind:?}")));
     }
-    if !document.root.extensions_used.iter().any(|used| used == LIGHTS) {
-        document.root.extensions_used.push(LIGHTS.to_owned());
-    }
+    document.declare(LIGHTS);
     let index = document.root.push(punctual::Light {
         color: colour.to_array(),
         intensity: *intensity,

@@ -10,20 +10,23 @@ mod nodes;
 
 use std::borrow::Cow;
 
+pub(crate) use self::materials::UNLIT;
+
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::{Checked, Error, Validate as _};
-use gltf::json::{Node, Path, Root, deserialize};
+use gltf::json::{Extras, Node, Path, Root, deserialize};
 
 use self::accessors::Data;
 use super::budget::Budget;
+use super::domes;
 use super::files::Files;
 use super::warnings::Warnings;
 use crate::error::Fault;
 use crate::extras;
-use crate::{CameraPath, Instance, Motion, Scene};
+use crate::{CameraPath, Instance, Light, Motion, Scene};
 
 /// Extensions that are understood; the last is how integer positions are declared, and needs nothing more.
-const SUPPORTED: [&str; 3] = ["KHR_lights_punctual", "KHR_texture_transform", "KHR_mesh_quantization"];
+const SUPPORTED: [&str; 4] = ["KHR_lights_punctual", "KHR_texture_transform", UNLIT, "KHR_mesh_quantization"];
 
 /// Reads a whole file, text or binary.
 pub(super) fn read(
@@ -122,14 +125,25 @@ fn place(
     scene: &mut Scene,
     warnings: &mut Warnings,
 ) -> Result<(), Fault> {
+    let mut said_to_cast = Vec::new();
     for (index, world_from_node) in nodes::walk(root)? {
         let node = &root.nodes[index];
         let label = node.name.clone().unwrap_or_else(|| format!("node {index}"));
         if let Some(mesh) = node.mesh.and_then(|mesh| places[mesh.value()]) {
             // A renderer turns normals with the inverse, so there must be one.
             if world_from_node.inverse().is_finite() {
+                let name = node.name.clone().unwrap_or_default();
                 let motion = motion(node, &label, warnings);
-                scene.instances.push(Instance { mesh, world_from_mesh: world_from_node, motion });
+                let casts = casts(&node.extras, &label, warnings);
+                said_to_cast.push(casts == Some(true));
+                let casts = casts.unwrap_or(true);
+                scene.instances.push(Instance {
+                    name,
+                    mesh,
+                    world_from_mesh: world_from_node,
+                    motion,
+                    casts,
+                });
             } else {
                 warnings.note("instances scaled to nothing are left out", &label);
             }
@@ -144,7 +158,8 @@ fn place(
             match nodes::rigid(world_from_node) {
                 Some(pose) => {
                     let motion = motion(node, &label, warnings);
-                    scene.lights.push(lenses::light(root, light.light, node, pose, motion)?);
+                    let light = lenses::light(root, light.light, node, pose, warnings)?;
+                    scene.lights.push(Light { motion, near: near(node, &light.name, warnings), ..light });
                 }
                 None => warnings.note("lights scaled to nothing are left out", &label),
             }
@@ -153,6 +168,7 @@ fn place(
             warnings.note("skins are ignored", &label);
         }
     }
+    domes::let_cast_nothing(scene, &said_to_cast, warnings);
     Ok(())
 }
 
@@ -161,6 +177,22 @@ fn motion(node: &Node, label: &str, warnings: &mut Warnings) -> Motion {
     extras::motion_of(&node.extras).unwrap_or_else(|_| {
         warnings.note("motion that cannot be understood is ignored", label);
         Motion::Still
+    })
+}
+
+/// Whether something casts shadows, as its extras say; `None` where they do not, or what they say cannot be understood.
+fn casts(extras: &Extras, label: &str, warnings: &mut Warnings) -> Option<bool> {
+    extras::casts(extras).unwrap_or_else(|_| {
+        warnings.note("whether it casts shadows is neither true nor false, and ignored", label);
+        None
+    })
+}
+
+/// The near distance in the extras of a light's node; 0 where there is none.
+fn near(node: &Node, label: &str, warnings: &mut Warnings) -> f32 {
+    extras::near_of(&node.extras).unwrap_or_else(|_| {
+        warnings.note("near distances that are not numbers of at least 0 m are ignored", label);
+        0.0
     })
 }
 

@@ -85,7 +85,7 @@ impl Stage {
         radians_per_second: f32,
     ) {
         let motion = Motion::Rotation { centre, axis, radians_per_second };
-        self.scene.instances.push(Instance { mesh, world_from_mesh: at, motion });
+        self.scene.instances.push(Instance { motion, ..Instance::still(mesh, at) });
     }
 
     /// Places a mesh that marches around `centre` at `metres_per_second`, counter-clockwise seen from above where that

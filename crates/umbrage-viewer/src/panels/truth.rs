@@ -52,6 +52,8 @@ fn figures(ui: &mut egui::Ui, truth: &TruthOverlay) {
             percent(f.tally.false_light_share())
         });
         row(ui, "mis-shadowed", "The sum of both.", &|f| percent(f.tally.mis_shadowed()));
+        let help = "How far visibility is from the truth in the mean, 0 to 1: also where a shade stays on the right side of one half.";
+        row(ui, "mean error", help, &|f| format!("{:.4}", f.tally.mae()));
         let help = "Wrong pixels for each pixel of true shadow edge, once all is traced.";
         row(ui, "edge displacement", help, &|f| {
             f.edge_displacement_px.map_or("…".to_owned(), |px| format!("{px:.3} px"))

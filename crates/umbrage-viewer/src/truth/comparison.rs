@@ -162,7 +162,7 @@ fn displacements(progress: &Progress, sides: &[Visibility]) -> Vec<Option<f64>> 
     let truths = progress.truths().unwrap_or_default();
     let length: f64 = truths.iter().map(|truth| Edges::new(truth).length()).sum();
     let displacement = |visibility: &Visibility| {
-        let Tally { judged: _, false_shadow, false_light } = progress.tally(&slices(visibility));
+        let Tally { judged: _, false_shadow, false_light, missed: _ } = progress.tally(&slices(visibility));
         (length > 0.0).then(|| (false_shadow + false_light) as f64 / length)
     };
     sides.iter().map(displacement).collect()

@@ -29,9 +29,14 @@ struct UmbrageLookup {
     compare_depth: f32,
     /// How much the depth to compare with grows from a texel to the next, to the right and downward.
     gradient: vec2f,
+    /// How much it also grows a texel in any direction, where the surface may bend, beyond UMBRAGE_OWN_TEXEL.
+    bend: f32,
     /// Sides of a texel there across the light, to the right and downward, metres.
     texel_metres: vec2f,
 }
+
+/// A texel stores what lies up to so many texels from its centre: half of its diagonal.
+const UMBRAGE_OWN_TEXEL: f32 = 0.7;
 
 /// Where a receiver looks in a view, bias included. `world_normal` is the unit geometric normal.
 fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_normal: vec3f) -> UmbrageLookup {
@@ -40,7 +45,7 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let local = umbrage_local(view_index, world_position);
     let clip_unbiased = clip_from_local * vec4f(local, 1.0);
     if clip_unbiased.w <= 0.0 {
-        return UmbrageLookup(view_index, light, vec2f(-1.0), -1.0, vec2f(0.0), vec2f(1.0));
+        return UmbrageLookup(view_index, light, vec2f(-1.0), -1.0, vec2f(0.0), 0.0, vec2f(1.0));
     }
     let texel_basis = umbrage_texel_basis(view_index, clip_unbiased);
     let to_light = umbrage_direction_to_light(light, world_position);
@@ -52,8 +57,10 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let normal_offset = texels * umbrage_normal_offset(texel_basis, world_normal, to_light);
     let clip = clip_from_local * vec4f(local + world_normal * normal_offset, 1.0);
     // Toward the light: the place on the map stays.
+    let rise = dot(texel_basis.depth_gradient, to_light);
+    let bend = rise * umbrage_frame.bias_bend * texel_metres * sqrt(1.0 + tangent * tangent);
     let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent;
-    let nearer = dot(texel_basis.depth_gradient, to_light) * toward_light;
+    let nearer = rise * toward_light + UMBRAGE_OWN_TEXEL * bend;
     // Rasterisers round corners, so what is stored may be the depth of a place beside.
     let slope = umbrage_slope(texel_basis, world_normal, cosine);
     let depth = clip.z / clip.w;
@@ -64,6 +71,7 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     lookup.texel_metres = vec2f(length(texel_basis.right), length(texel_basis.down));
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.compare_depth = depth + nearer + rounded;
+    lookup.bend = bend;
     lookup.gradient = umbrage_gradient(texel_basis, world_normal, to_light);
     return lookup;
 }

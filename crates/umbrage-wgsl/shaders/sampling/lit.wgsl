@@ -1,17 +1,19 @@
 // One texel, compared by itself.
 
-import package::receiver::lookup::UmbrageLookup;
+import package::receiver::lookup::{UMBRAGE_OWN_TEXEL, UmbrageLookup};
 import package::storage::map::{umbrage_inside, umbrage_lit_share};
 
 /// No receiver is nearer than this. A steep plane may be, a texel beside its receiver; casters that were flattened onto the
 /// near plane count as before it there.
 const UMBRAGE_NEAREST_COMPARED: f32 = 0.9999;
 
-/// The depth to compare with at a place of the tile, given in texels: that of the lookup's plane there. Nothing that is
-/// stored lies beyond 0.
+/// The depth to compare with at a place of the tile, given in texels: that of the lookup's plane there, bent toward the light
+/// the more the farther it is. Nothing that is stored lies beyond 0.
 fn umbrage_compare_depth(lookup: UmbrageLookup, texel: vec2f) -> f32 {
-    let plane = lookup.compare_depth + dot(lookup.gradient, texel - lookup.texel);
-    return clamp(plane, 0.0, max(lookup.compare_depth, UMBRAGE_NEAREST_COMPARED));
+    let beside = texel - lookup.texel;
+    let bent = lookup.bend * max(length(beside) - UMBRAGE_OWN_TEXEL, 0.0);
+    let plane = lookup.compare_depth + dot(lookup.gradient, beside);
+    return clamp(plane + bent, 0.0, max(lookup.compare_depth, UMBRAGE_NEAREST_COMPARED));
 }
 
 /// Whether the texel around `centre` leaves a receiver lit: 1 or 0. It is compared with the depth at its centre.

@@ -274,21 +274,22 @@ impl Drawn {
     pub fn filter(&self, view: u32, places: &[Place]) -> Vec<f32> {
         let main = format!(
             "
-            struct Place {{ texel: vec2f, gradient: vec2f, texel_metres: vec2f, reference: f32 }}
+            struct Place {{ texel: vec2f, gradient: vec2f, texel_metres: vec2f, reference: f32, bend: f32 }}
             @group(0) @binding(0) var<storage, read> places: array<Place>;
             @group(0) @binding(1) var<storage, read_write> answers: array<f32>;
             @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {{
                 if id.x >= arrayLength(&places) {{ return; }}
                 let place = places[id.x];
                 let lookup =
-                    UmbrageLookup({view}u, 0u, place.texel, place.reference, place.gradient, place.texel_metres);
+                    UmbrageLookup({view}u, 0u, place.texel, place.reference, place.gradient, place.bend,
+                        place.texel_metres);
                 let receiver = UmbrageReceiver(vec3f(0.0), vec3f(0.0, 1.0, 0.0), vec2f(0.5), 0.0);
                 answers[id.x] = umbrage_filter(lookup, receiver);
             }}"
         );
         let numbers = |place: &Place| {
-            let Place { texel, compare_depth: reference, gradient, texel_metres } = *place;
-            [texel.x, texel.y, gradient.x, gradient.y, texel_metres.x, texel_metres.y, reference, 0.0]
+            let Place { texel, compare_depth: reference, gradient, bend, texel_metres } = *place;
+            [texel.x, texel.y, gradient.x, gradient.y, texel_metres.x, texel_metres.y, reference, bend]
         };
         let numbers: Vec<[f32; 8]> = places.iter().map(numbers).collect();
         self.ask(&(self.shadows.wgsl(1) + &main), bytemuck::cast_slice(&numbers), places.len())

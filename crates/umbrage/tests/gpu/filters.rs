@@ -36,6 +36,7 @@ fn differences(settings: &Settings, tolerance: f32) -> (f64, f32) {
                     texel,
                     compare_depth: reference,
                     gradient: Vec2::ZERO,
+                    bend: 0.0,
                     texel_metres: Vec2::new(0.1, 0.14),
                 }
             })
@@ -260,6 +261,7 @@ fn no_filter_reads_over_the_sides_of_its_tile() {
                             texel,
                             compare_depth: reference,
                             gradient: Vec2::ZERO,
+                            bend: 0.0,
                             texel_metres: Vec2::splat(0.1),
                         }
                     })

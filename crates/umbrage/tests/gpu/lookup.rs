@@ -68,7 +68,7 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
                     };
                     // Receivers beyond 0 are lit without asking a filter.
                     let texel_metres = Vec2::new(0.1, 0.14);
-                    Place { texel, compare_depth: reference.max(0.0), gradient, texel_metres }
+                    Place { texel, compare_depth: reference.max(0.0), gradient, bend: 0.0, texel_metres }
                 })
                 .collect();
             let gpu = drawn.filter(view.index as u32, &places);

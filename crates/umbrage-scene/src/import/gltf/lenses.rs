@@ -10,10 +10,14 @@ use gltf::json::validation::Checked;
 use gltf::json::{Camera as JsonCamera, Index, Node, Root};
 
 use crate::error::Fault;
+use crate::import::warnings::Warnings;
 use crate::{Camera, Lens, Light, LightKind, Motion};
 
 /// An orthographic camera may see from 0 on; whoever takes logarithms of depths cannot. This share of `far` instead.
 const NEAREST_SHARE: f32 = 1e-4;
+
+/// Half the angle of a spot that has none, radians: about that of a laser.
+const LEAST_HALF_ANGLE: f32 = 1e-3;
 
 /// The camera at a node; `far` is infinite where the file gives none.
 pub(super) fn camera(
@@ -53,44 +57,37 @@ pub(super) fn camera(
     Ok(Camera { name, world_from_camera, lens, near, far })
 }
 
-/// The light at a node, which moves so.
+/// The light at a node. Numbers that give no light are kept, except that whoever draws must leave it out; angles that no
+/// spot can have are replaced by the nearest that one can.
 pub(super) fn light(
     root: &Root,
     index: Index<JsonLight>,
     node: &Node,
     world_from_light: Mat4,
-    motion: Motion,
+    warnings: &mut Warnings,
 ) -> Result<Light, Fault> {
     let lights: &[JsonLight] = root.as_ref();
     let light = &lights[index.value()];
     let name =
         node.name.as_ref().or(light.name.as_ref()).cloned().unwrap_or_else(|| format!("light {index}"));
     let (colour, intensity) = (Vec3::from(light.color), light.intensity);
-    if !(colour.is_finite() && colour.min_element() >= 0.0 && intensity.is_finite() && intensity >= 0.0) {
-        return Err(Fault(format!(
-            "light {name:?} has colour {colour} and intensity {intensity}, need 0 or more"
-        )));
-    }
     let range = light.range.unwrap_or(f32::INFINITY);
-    if range.is_nan() || range <= 0.0 {
-        return Err(Fault(format!("light {name:?} reaches {range} m, need more than 0 m")));
-    }
     let kind = match (light.type_, &light.spot) {
         (Checked::Valid(Type::Directional), _) => LightKind::Directional,
         (Checked::Valid(Type::Point), _) => LightKind::Point { range },
         (Checked::Valid(Type::Spot), Some(spot)) => {
             let (inner, outer) = (spot.inner_cone_angle, spot.outer_cone_angle);
-            if !(0.0 <= inner && inner <= outer && 0.0 < outer && outer <= FRAC_PI_2) {
-                let wanted = "need 0 <= inner <= outer <= π/2 and 0 < outer";
-                return Err(Fault(format!(
-                    "light {name:?} has half angles {inner} and {outer} radians, {wanted}"
-                )));
+            let is_a_cone = 0.0 <= inner && inner <= outer && 0.0 < outer && outer <= FRAC_PI_2;
+            if !is_a_cone {
+                warnings.note("spots whose half angles are not 0 <= inner <= outer <= π/2 are mended", &name);
             }
+            let outer = if is_a_cone { outer } else { outer.clamp(LEAST_HALF_ANGLE, FRAC_PI_2) };
+            let inner = if is_a_cone { inner } else { inner.clamp(0.0, outer) };
             LightKind::Spot { inner, outer, range }
         }
         (Checked::Valid(Type::Spot) | Checked::Invalid, _) => {
             return Err(Fault(format!("light {name:?} is of no kind")));
         }
     };
-    Ok(Light { name, world_from_light, colour, intensity, kind, motion })
+    Ok(Light { name, world_from_light, colour, intensity, kind, near: 0.0, motion: Motion::Still })
 }

@@ -15,6 +15,9 @@ use crate::import::pictures;
 use crate::import::warnings::Warnings;
 use crate::{Material, Texture};
 
+/// The extension by which a material shows its own colour whatever the lights are.
+pub(crate) const UNLIT: &str = "KHR_materials_unlit";
+
 /// All materials of a file, in its order, and all pictures of base colours, in its order.
 #[derive(Debug, Default)]
 pub(super) struct Surfaces {
@@ -82,7 +85,9 @@ pub(super) fn read(
         let info = pbr.base_color_texture.as_ref();
         let texture = info.map(|info| textures[&image_of(info).value()]);
         surfaces.mappings.push(info.map_or(Ok(Mapping::default()), |info| mapping(info, &name))?);
-        surfaces.materials.push(Material { name, base_colour, texture });
+        let unlit = material.extensions.as_ref().is_some_and(|of| of.others.contains_key(UNLIT));
+        let casts = super::casts(&material.extras, &name, warnings).unwrap_or(true);
+        surfaces.materials.push(Material { name, base_colour, texture, unlit, casts });
     }
     Ok(surfaces)
 }
