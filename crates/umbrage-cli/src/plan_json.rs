@@ -19,6 +19,8 @@ use crate::stages::{Stage, Stages};
 pub struct PlanJson<'a> {
     world: &'a str,
     triangles: usize,
+    /// Where in the world's file the scene's own origin is, metres; all points are measured from there.
+    origin: [f64; 3],
     settings: &'a Settings,
     splits: &'a [f64],
     picture: Picture,
@@ -42,6 +44,7 @@ pub struct PlanJson<'a> {
 pub struct About<'a> {
     pub world: &'a str,
     pub triangles: usize,
+    pub origin: [f64; 3],
     pub storage_factor: f64,
     pub min_storage_factor: f64,
     pub picture: [u32; 2],
@@ -150,7 +153,7 @@ struct Tile {
 
 impl<'a> PlanJson<'a> {
     pub fn new(about: &About<'a>, plan: &'a ShadowPlan, stages: &Stages<'_>) -> Self {
-        let About { world, triangles, storage_factor, min_storage_factor, picture } = *about;
+        let About { world, triangles, origin, storage_factor, min_storage_factor, picture } = *about;
         let (settings, layout) = (plan.settings(), plan.layout());
         let map_size = [layout.width, layout.height];
         let mut frame = FrameBytes::default();
@@ -163,6 +166,7 @@ impl<'a> PlanJson<'a> {
         Self {
             world,
             triangles,
+            origin,
             settings,
             splits: plan.splits(),
             picture: Picture { width: picture[0], height: picture[1] },

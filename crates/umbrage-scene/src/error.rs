@@ -63,6 +63,17 @@ impl Fault {
     }
 }
 
+/// A length with three digits, written out where that is short.
+pub(crate) fn short(metres: f64) -> String {
+    if (1e-4..1e6).contains(&metres) {
+        let digits = (2.0 - metres.log10().floor()).clamp(0.0, 7.0) as usize;
+        let text = format!("{metres:.digits$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{metres:.2e}")
+    }
+}
+
 /// Enough for any message of ours; files may hold names as long as they like.
 const MAX_CHARS: usize = 300;
 
@@ -87,6 +98,15 @@ mod tests {
         let error =
             Fault("index 9 of a mesh with 4 vertices,\nin mesh \"knight\"".to_owned()).in_file("bunny.glb");
         assert_eq!(error.to_string(), "index 9 of a mesh with 4 vertices, in mesh \"knight\": bunny.glb");
+    }
+
+    #[test]
+    fn lengths_have_three_digits() {
+        for (metres, text) in
+            [(0.0625, "0.0625"), (0.0078125, "0.00781"), (8.0, "8"), (1234.5, "1234"), (5e-7, "5.00e-7")]
+        {
+            assert_eq!(short(metres), text);
+        }
     }
 
     #[test]

@@ -2,9 +2,8 @@
 //!
 //! Each mesh has one accessor for each attribute, which all its primitives share, and one primitive for each part: parts
 //! are small enough to be parts again. Instances, cameras and lights are nodes with matrices, side by side. Left out:
-//! meshes without triangles, their instances, textures that no material uses,
-//! and the environment picture. What glTF has no words for is in
-//! `extras.rs`.
+//! meshes without triangles, their instances, textures that no material uses, and the environment picture. What glTF has
+//! no words for is in `extras.rs`. A scene whose origin lies elsewhere in its file hangs on nodes that move it there.
 
 mod bytes;
 mod materials;
@@ -12,7 +11,7 @@ mod pieces;
 
 use std::borrow::Cow;
 
-use glam::Mat4;
+use glam::{DVec3, Mat4};
 use gltf::binary::{Glb, Header};
 use gltf::json::{Asset, Index, Mesh as JsonMesh, Node, Root, Scene as JsonScene};
 
@@ -20,6 +19,9 @@ use self::bytes::Document;
 use crate::error::{Fault, SceneError};
 use crate::import::domes;
 use crate::{Scene, extras};
+
+/// So many f32 have all digits of an f64, and more.
+const MOST_DIGITS: usize = 4;
 
 /// Writes a scene as the bytes of a `.glb` file.
 ///
@@ -42,7 +44,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         lights,
         path,
         exposed_for,
-        origin: _,
+        origin,
         environment: _,
     } = scene;
     let mut document = Document::new(Root {
@@ -70,7 +72,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
                 extras::cast(instance.casts)
             };
             let name = (!instance.name.is_empty()).then(|| instance.name.clone());
-            let extras = extras::of_node(&instance.motion, cast)?;
+            let extras = extras::of_node(&instance.motion, *origin, cast)?;
             nodes.push(Node { mesh: Some(mesh), name, extras, ..node(instance.world_from_mesh)? });
         }
     }
@@ -84,7 +86,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
     }
     for light in lights {
         let extensions = Some(pieces::add_light(&mut document, light)?);
-        let extras = extras::of_node(&light.motion, extras::near(light.near)?)?;
+        let extras = extras::of_node(&light.motion, *origin, extras::near(light.near)?)?;
         nodes.push(Node {
             extensions,
             extras,
@@ -93,7 +95,9 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         });
     }
     let nodes = nodes.into_iter().map(|node| document.root.push(node)).collect();
-    let extras = extras::of_scene(path, *exposed_for)?;
+    let nodes = at_origin(&mut document, nodes, *origin)?;
+    let is_fixed = *origin != DVec3::ZERO || crate::import::would_move(scene);
+    let extras = extras::of_scene(path, *origin, is_fixed, *exposed_for)?;
     let index = document.root.push(JsonScene { name: Some(name.clone()), nodes, extensions: None, extras });
     document.root.scene = Some(index);
     pack(document)
@@ -105,6 +109,48 @@ fn node(world_from_node: Mat4) -> Result<Node, Fault> {
         return Err(Fault(format!("a matrix that is not finite, {world_from_node}")));
     }
     Ok(Node { matrix: Some(world_from_node.to_cols_array()), ..Node::default() })
+}
+
+/// Hangs nodes on others that together move them to the origin, exactly: glTF readers may keep only f32 of a
+/// translation, so one node has the first digits, and the next the rest.
+fn at_origin(
+    document: &mut Document,
+    mut nodes: Vec<Index<Node>>,
+    origin: DVec3,
+) -> Result<Vec<Index<Node>>, Fault> {
+    if !origin.is_finite() || origin.abs().max_element() > f64::from(f32::MAX) {
+        return Err(Fault(format!("the origin is {origin}, need numbers that f32 can hold")));
+    }
+    // The outermost node has the first digits, so that a reader that takes the origin away is left with the rest, and with
+    // nothing in the end.
+    let mut digits = Vec::new();
+    let mut rest = origin;
+    while rest != DVec3::ZERO && digits.len() < MOST_DIGITS {
+        let first = rest.to_array().map(|x| x as f32);
+        for axis in 0..3 {
+            rest[axis] -= as_read(first[axis])?;
+        }
+        digits.push(first);
+    }
+    if nodes.is_empty() {
+        return Ok(nodes);
+    }
+    for translation in digits.into_iter().rev() {
+        let node = Node {
+            name: Some("origin".to_owned()),
+            translation: Some(translation),
+            children: Some(nodes),
+            ..Node::default()
+        };
+        nodes = vec![document.root.push(node)];
+    }
+    Ok(nodes)
+}
+
+/// What a reader in f64 makes of the text of a number: the text is only as long as f32 needs.
+fn as_read(number: f32) -> Result<f64, Fault> {
+    let text = gltf::json::serialize::to_string(&number).map_err(|why| Fault(why.to_string()))?;
+    text.parse().map_err(|why| Fault(format!("{text} is no number, {why}")))
 }
 
 /// Both chunks, with their headers.

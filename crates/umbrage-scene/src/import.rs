@@ -1,16 +1,26 @@
 //! Files to scenes: glTF 2.0, text or binary, and Wavefront OBJ.
 //!
-//! A file is not trusted. Whatever it says, the answer is a whole scene or one line that tells what is wrong; it never
-//! panics, and never takes much more memory than the file and the limits in `budget.rs` explain.
+//! A file is not trusted. Whatever it says, the answer is a scene or one line that tells what is wrong; it never panics,
+//! and never takes much more memory than the file and the limits in `budget.rs` explain. Only what draws triangles can
+//! stop a scene: all else is left out with a warning, and so are broken triangles where others are whole.
+//!
+//! A reader makes meshes and a draft, in f64; `recentre.rs` gives both origins near to what is drawn, `settle.rs` makes
+//! the scene, and `finish.rs` adds what every scene has.
 
 mod budget;
 pub(crate) mod domes;
+mod draft;
+mod extent;
 mod files;
 mod finish;
+mod flatten;
 mod gltf;
 mod normals;
 mod obj;
 mod pictures;
+mod polygon;
+mod recentre;
+mod settle;
 mod warnings;
 
 use std::fs;
@@ -19,6 +29,7 @@ use std::path::Path;
 use self::files::Files;
 pub(crate) use self::gltf::UNLIT;
 pub(crate) use self::pictures::MAX_SIDE_PX;
+pub(crate) use self::recentre::{FARTHEST_ORIGIN, would_move};
 use self::warnings::Warnings;
 use crate::Scene;
 use crate::error::{Fault, SceneError};
@@ -37,10 +48,12 @@ pub struct Imported {
 /// Where the file has no camera, one that sees everything is added; where it has no light, a sun; where it has no
 /// camera path, a quarter orbit that ends in the first camera's view.
 ///
+/// Where the file's things stand far from its origin, the scene has an origin of its own amid them, [`Scene::origin`].
+///
 /// # Errors
 ///
-/// When a file cannot be read, is of another kind, is malformed, needs an extension that is not supported, or has no
-/// triangles.
+/// When a file cannot be read, is of another kind, or has no triangles that can be read; then the error tells why each
+/// was lost.
 pub fn load(path: &Path) -> Result<Imported, SceneError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     let read = match extension.as_deref() {
@@ -90,6 +103,10 @@ type Read = fn(&[u8], &str, Files<'_>, &mut Warnings) -> Result<Scene, Fault>;
 fn import(read: Read, bytes: &[u8], name: &str, files: Files<'_>) -> Result<Imported, Fault> {
     let mut warnings = Warnings::default();
     let mut scene = read(bytes, name, files, &mut warnings)?;
-    finish::finish(&mut scene)?;
+    if let Err(Fault(fault)) = finish::finish(&mut scene, &mut warnings) {
+        // What was lost on the way is why nothing is left.
+        let reasons = warnings.into_lines();
+        return Err(Fault([&[fault], &reasons[..]].concat().join("; ")));
+    }
     Ok(Imported { scene, warnings: warnings.into_lines() })
 }

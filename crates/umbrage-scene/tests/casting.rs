@@ -1,6 +1,5 @@
 //! What a file says of lights and of what casts shadows, and what becomes of it where it says nonsense.
 
-#[expect(dead_code, reason = "other tests need more of it")]
 mod common;
 
 use common::Doc;

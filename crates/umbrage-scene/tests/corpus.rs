@@ -7,7 +7,7 @@ use std::path::Path;
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
-use umbrage_scene::{load_glb_bytes, load_obj_bytes};
+use umbrage_scene::{load_glb_bytes, load_obj_bytes, to_glb};
 
 /// Spoiled copies of each file.
 const COPIES: u64 = 2000;
@@ -40,6 +40,9 @@ fn import(name: &str, bytes: &[u8]) -> bool {
                 assert!(mesh.indices.iter().all(|&i| (i as usize) < count), "{name}");
                 assert!(mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 2e-3), "{name}");
             }
+            let again = to_glb(&scene).expect("what was imported can be exported");
+            let again = load_glb_bytes(&again, name).expect("what was exported can be imported").scene;
+            assert_eq!((again.triangles(), again.origin), (scene.triangles(), scene.origin), "{name}");
             true
         }
         Err(error) => {
@@ -85,11 +88,13 @@ fn every_file_of_the_corpus_is_a_scene_or_one_line() {
     assert_eq!(
         good,
         [
+            "bad_face.obj",
             "data_uri.gltf",
             "fan.glb",
             "full.glb",
             "full.obj",
             "latin1.obj",
+            "nan.glb",
             "sparse_quantised.glb",
             "square.obj",
             "strip.glb"

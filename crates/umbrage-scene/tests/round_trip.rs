@@ -64,6 +64,7 @@ fn bits(scene: &Scene) -> Vec<String> {
     }
     bits.push(format!("{:?}", scene.exposed_for.map(f32::to_bits)));
     bits.extend(scene.path.keys.iter().map(|key| vector(&key.eye) + &vector(&key.target)));
+    bits.push(format!("origin {}", scene.origin));
     bits
 }
 

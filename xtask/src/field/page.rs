@@ -6,8 +6,9 @@ use serde_json::Value;
 
 use super::{DISTANCES, LIGHTS, SCALES};
 
-/// What stands above the tables, and what the files by others are that the contact sheet shows.
+/// What stands above the tables, what they mean, and what the files by others are.
 const HEAD: &str = include_str!("head.md");
+const MEANING: &str = include_str!("meaning.md");
 const FILES: &str = include_str!("files.md");
 
 /// Each placement: its name, its heading, and what it is.
@@ -50,7 +51,7 @@ pub fn page(before: Option<&Value>, now: &Value) -> Option<String> {
             text += &pages.grid(placement, light)?;
         }
     }
-    write!(text, "\n{FILES}").ok()?;
+    write!(text, "\n{MEANING}\n{FILES}").ok()?;
     Some(text)
 }
 

@@ -23,6 +23,8 @@ const SIZE: (u32, u32) = (640, 360);
 struct Report<'a> {
     #[serde(flatten)]
     measurement: &'a Measurement,
+    /// Where in the world's file the scene's own origin is, metres.
+    origin: [f64; 3],
     /// The mean of every figure over the jittered cameras, and how far from the true mean it may be.
     #[serde(skip_serializing_if = "Option::is_none")]
     intervals: Option<BTreeMap<&'static str, Sure>>,
@@ -66,7 +68,9 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let measurement = &judged.measurement;
     let intervals = (!others.is_empty()).then(|| intervals(measurement, &others));
     match &args.json {
-        Some(path) => output::write_json(path, &Report { measurement, intervals })?,
+        Some(path) => {
+            output::write_json(path, &Report { measurement, origin: scene.origin.to_array(), intervals })?;
+        }
         None => output::print(&text(measurement, intervals.as_ref()))?,
     }
     Ok(())

@@ -21,6 +21,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
             let about = About {
                 world: &scene.name,
                 triangles: scene.triangles(),
+                origin: scene.origin.to_array(),
                 storage_factor: storage_factor(&plan, settings.warp),
                 min_storage_factor: min_storage_factor(&plan),
                 picture: [frame.width, frame.height],

@@ -8,7 +8,7 @@ use image::{ExtendedColorType, RgbaImage};
 use umbrage::Settings;
 use umbrage_lab::{Shot, files};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
-use umbrage_scene::Imported;
+use umbrage_scene::{Imported, Shining};
 
 use crate::args::SheetArgs;
 use crate::failure::{Failure, Outcome};
@@ -64,7 +64,10 @@ fn draw(gpu: &Gpu, file: &str, (width, height): (u32, u32)) -> Outcome<RgbaImage
         eprintln!("warning: {warning}: {file}");
     }
     let camera = scene.cameras.first().cloned().ok_or_else(|| Failure::usage("there is no camera"))?;
-    let lights = scene.lights.iter().take(umbrage::MAX_LIGHTS).cloned().collect();
+    let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, 0.0, umbrage::MAX_LIGHTS);
+    for warning in warnings {
+        eprintln!("warning: {warning}: {file}");
+    }
     let shot = Shot { camera, lights, seconds: 0.0, width, height };
     let frame = Frame { samples: 4, ..shot.frame(Show::World).map_err(Failure::usage)? };
     let mut renderer = Renderer::new(gpu, &scene, Settings::default())?;

@@ -8,6 +8,7 @@ pub(super) struct Budget {
     vertices: usize,
     corners: usize,
     pixels: usize,
+    is_overdrawn: bool,
 }
 
 impl Budget {
@@ -19,20 +20,30 @@ impl Budget {
     pub const PIXELS: usize = 1 << 28;
 
     pub fn new() -> Self {
-        Self { vertices: Self::VERTICES, corners: Self::CORNERS, pixels: Self::PIXELS }
+        Self { vertices: Self::VERTICES, corners: Self::CORNERS, pixels: Self::PIXELS, is_overdrawn: false }
     }
 
     /// Takes room for `count` more vertices.
     pub fn vertices(&mut self, count: usize) -> Result<(), Fault> {
-        take(&mut self.vertices, count, "vertices", Self::VERTICES)
+        let taken = take(&mut self.vertices, count, "vertices", Self::VERTICES);
+        self.is_overdrawn |= taken.is_err();
+        taken
     }
 
     /// Takes room for `count` more corners of triangles.
     pub fn corners(&mut self, count: usize) -> Result<(), Fault> {
-        take(&mut self.corners, count, "corners of triangles", Self::CORNERS)
+        let taken = take(&mut self.corners, count, "corners of triangles", Self::CORNERS);
+        self.is_overdrawn |= taken.is_err();
+        taken
     }
 
-    /// Takes room for a picture.
+    /// Whether more vertices or corners were wanted than there is room for. Then a scene is refused as a whole: half a
+    /// world would be taken for all of it.
+    pub fn is_overdrawn(&self) -> bool {
+        self.is_overdrawn
+    }
+
+    /// Takes room for a picture. One that finds none is left out alone.
     pub fn pixels(&mut self, width: u32, height: u32) -> Result<(), Fault> {
         take(&mut self.pixels, (width as usize).saturating_mul(height as usize), "pixels", Self::PIXELS)
     }

@@ -6,11 +6,13 @@ use std::f32::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use glam::{Quat, Vec3};
 
+use super::extent::{self, Extent};
+use super::warnings::Warnings;
 use crate::error::Fault;
-use crate::{Aabb, Camera, CameraPath, Light, PathKey, Scene};
+use crate::{Aabb, Camera, CameraPath, Instance, Light, PathKey, Scene};
 
-/// Coordinates beyond this, metres, are a mistake, and their cubes would overflow.
-const FARTHEST: f32 = 1e12;
+/// A scene smaller than this, metres, is a mistake, and the areas of its triangles would vanish.
+const SMALLEST: f32 = 1e-9;
 
 /// From the middle of the scene to the camera that is added: across the light that is added, so shadows show.
 const TOWARDS_CAMERA: Vec3 = Vec3::new(-0.6, 0.6, 1.0);
@@ -25,30 +27,61 @@ const SUN_LUX: f32 = 3.0;
 const ORBIT_KEYS: u8 = 5;
 
 /// Adds what the file left out. Cameras whose `far` is infinite get a far plane behind the scene's farthest point.
-pub(super) fn finish(scene: &mut Scene) -> Result<(), Fault> {
+pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), Fault> {
     if scene.instances.is_empty() {
         return Err(Fault("no triangles in the scene".to_owned()));
     }
     let bounds = scene.bounds_at(0.0);
-    let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
-    if farthest.is_nan() || farthest > FARTHEST {
-        return Err(Fault(format!("the scene reaches to {farthest:e} m, need at most {FARTHEST:e} m")));
+    let size = 2.0 * radius(bounds);
+    if size.is_nan() || size < SMALLEST {
+        return Err(Fault(format!(
+            "no triangles in the scene, it is {size:e} m across, need {SMALLEST:e} m"
+        )));
     }
+    let most = most(scene, bounds);
     if scene.cameras.is_empty() {
-        scene.cameras.push(camera_that_sees(bounds));
+        if most != bounds {
+            let apart = crate::error::short(f64::from(radius(bounds) / radius(most)));
+            let subject = format!("everything is {apart} times as large as what it sees");
+            warnings
+                .note("the camera that is added looks past what stands far from most of the scene", &subject);
+        }
+        let mut camera = camera_that_sees(most);
+        if most != bounds {
+            // What lies far behind is not cut off, nor by rounding.
+            camera.far = camera.far.max(1.001 * farthest(&camera, bounds));
+        }
+        scene.cameras.push(camera);
     }
     for camera in &mut scene.cameras {
         if camera.far.is_infinite() {
-            camera.far = (camera.eye().distance(bounds.centre()) + radius(bounds)).max(10.0 * camera.near);
+            camera.far = farthest(camera, bounds).max(10.0 * camera.near);
         }
     }
     if scene.lights.is_empty() {
         scene.lights.push(Light::sun(SUNLIGHT, SUN_LUX));
     }
     if scene.path.keys.is_empty() {
-        scene.path = quarter_orbit(&scene.cameras[0], bounds.centre());
+        scene.path = quarter_orbit(&scene.cameras[0], most.centre());
     }
     Ok(())
+}
+
+/// The box around everything but what stands far from most, at time 0; `all` where nothing does.
+fn most(scene: &Scene, all: Aabb) -> Aabb {
+    let of = |instance: &Instance| {
+        let parts = &scene.meshes[instance.mesh].parts;
+        parts.iter().map(|part| part.bounds.transformed(&instance.world_from_mesh)).collect::<Vec<_>>()
+    };
+    let boxes: Vec<Extent> = scene.instances.iter().flat_map(of).map(Extent::of).collect();
+    let most = extent::around_most(&boxes);
+    let is_all = most == extent::around(&boxes);
+    if is_all { all } else { Aabb { min: most.min.as_vec3(), max: most.max.as_vec3() } }
+}
+
+/// How far from a camera a box can reach.
+fn farthest(camera: &Camera, bounds: Aabb) -> f32 {
+    camera.eye().distance(bounds.centre()) + radius(bounds)
 }
 
 /// A camera that has the whole box in view wherever the picture is at least as wide as high.
@@ -62,9 +95,10 @@ fn camera_that_sees(bounds: Aabb) -> Camera {
     Camera::looking("overview", eye, bounds.centre(), FRAC_PI_3, near, far)
 }
 
-/// Half the diagonal; a millimetre where there is none.
+/// Half the diagonal.
 fn radius(bounds: Aabb) -> f32 {
-    (bounds.size().length() * 0.5).max(1e-3)
+    // Squares of small sizes vanish in f32.
+    (bounds.size().as_dvec3().length() * 0.5) as f32
 }
 
 /// A quarter turn about the vertical through `centre` that ends in the camera's own view.

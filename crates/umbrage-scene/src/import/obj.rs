@@ -3,18 +3,21 @@
 //! `tobj` believes its input, and panics on some; so the text is checked before, in `checked.rs`, and the result after.
 
 mod checked;
+mod library;
 
 use std::collections::HashMap;
 use std::path::Path;
 
-use glam::{Mat4, Vec2, Vec3};
+use glam::{DMat4, Vec2, Vec3};
 
 use super::budget::Budget;
+use super::draft::{Draft, Placed};
 use super::files::Files;
+use super::recentre::Rebased;
 use super::warnings::Warnings;
-use super::{normals, pictures};
+use super::{normals, pictures, recentre, settle};
 use crate::error::{Fault, one_line};
-use crate::{Instance, Material, Mesh, Scene, Texture};
+use crate::{Material, Mesh, Motion, Scene};
 
 /// One index a vertex, triangles only.
 const OPTIONS: tobj::LoadOptions =
@@ -27,7 +30,7 @@ pub(super) fn read(
     files: Files<'_>,
     warnings: &mut Warnings,
 ) -> Result<Scene, Fault> {
-    let checked::Text { text, libraries, corners } = checked::object(bytes)?;
+    let checked::Text { text, libraries, corners, origin } = checked::object(bytes, warnings);
     let mut budget = Budget::new();
     budget.corners(corners)?;
     let libraries = read_libraries(&libraries, files, warnings);
@@ -40,7 +43,7 @@ pub(super) fn read(
         .map_err(|why| Fault(format!("not a Wavefront OBJ file, {why}")))?;
 
     let mut scene = Scene { name: name.to_owned(), ..Scene::default() };
-    read_materials(&materials.unwrap_or_default(), files, &mut budget, &mut scene)?;
+    read_materials(&materials.unwrap_or_default(), files, &mut budget, &mut scene, warnings);
     let mut plain = None;
     for model in models.iter().filter(|model| !model.mesh.indices.is_empty()) {
         let material = model.mesh.material_id.unwrap_or_else(|| {
@@ -59,7 +62,18 @@ pub(super) fn read(
             add(mesh, &model.mesh, material, warnings)?;
         }
     }
-    scene.instances = (0..scene.meshes.len()).map(|mesh| Instance::still(mesh, Mat4::IDENTITY)).collect();
+    let rebased: Vec<Rebased> = scene.meshes.iter_mut().map(recentre::rebase).collect();
+    let placed = |(what, mesh): (usize, &Mesh)| Placed {
+        what,
+        world_from_it: DMat4::IDENTITY,
+        motion: Motion::Still,
+        name: String::new(),
+        casts: None,
+        label: mesh.name.clone(),
+    };
+    let instances = scene.meshes.iter().enumerate().map(placed).collect();
+    let draft = Draft { instances, origin, ..Draft::default() };
+    settle::settle(draft, &rebased, &mut scene, &mut budget, warnings)?;
     Ok(scene)
 }
 
@@ -104,9 +118,9 @@ fn add(mesh: &mut Mesh, model: &tobj::Mesh, material: usize, warnings: &mut Warn
 fn read_libraries(names: &[String], files: Files<'_>, warnings: &mut Warnings) -> HashMap<String, String> {
     let mut libraries = HashMap::new();
     for name in names {
-        match files.read(name).and_then(|bytes| checked::library(&bytes)) {
-            Ok(text) => {
-                libraries.insert(name.clone(), text);
+        match files.read(name) {
+            Ok(bytes) => {
+                libraries.insert(name.clone(), library::library(&bytes, name, warnings));
             }
             Err(Fault(why)) => {
                 warnings
@@ -117,19 +131,18 @@ fn read_libraries(names: &[String], files: Files<'_>, warnings: &mut Warnings) -
     libraries
 }
 
-/// Colours, shininess, and pictures of diffuse colours; each picture is unpacked once.
+/// Colours, shininess, and pictures of diffuse colours; each picture is unpacked once. One that cannot be read leaves the
+/// colour.
 fn read_materials(
     materials: &[tobj::Material],
     files: Files<'_>,
     budget: &mut Budget,
     scene: &mut Scene,
-) -> Result<(), Fault> {
-    let mut textures: HashMap<&str, usize> = HashMap::new();
+    warnings: &mut Warnings,
+) {
+    let mut textures: HashMap<&str, Option<usize>> = HashMap::new();
     for tobj::Material { name, diffuse, diffuse_texture, specular, shininess, emissive, .. } in materials {
         let [red, green, blue] = diffuse.unwrap_or([1.0; 3]);
-        if !Vec3::new(red, green, blue).is_finite() {
-            return Err(Fault(format!("the diffuse colour of material {name:?} is {red} {green} {blue}")));
-        }
         let mut material = Material::plain(&one_line(name), red, green, blue);
         material.emission =
             emissive.map(Vec3::from).filter(|light| light.is_finite()).unwrap_or_default().max(Vec3::ZERO);
@@ -138,22 +151,24 @@ fn read_materials(
             material.roughness = roughness(shininess.unwrap_or_default());
         }
         if let Some(path) = diffuse_texture.as_deref() {
-            let texture = match textures.get(path) {
-                Some(&texture) => texture,
-                None => {
-                    // Libraries from Windows.
-                    let bytes = files.read(&path.replace('\\', "/"))?;
-                    let texture: Texture = pictures::decode(&bytes, path.to_owned(), budget)?;
-                    scene.textures.push(texture);
-                    textures.insert(path, scene.textures.len() - 1);
-                    scene.textures.len() - 1
+            material.texture = *textures.entry(path).or_insert_with(|| {
+                // Libraries from Windows.
+                let bytes = files.read(&path.replace('\\', "/"));
+                match bytes.and_then(|bytes| pictures::decode(&bytes, path.to_owned(), path, budget)) {
+                    Ok(texture) => {
+                        scene.textures.push(texture);
+                        Some(scene.textures.len() - 1)
+                    }
+                    Err(Fault(why)) => {
+                        warnings
+                            .note("pictures that cannot be read are left out, the plain colour stays", &why);
+                        None
+                    }
                 }
-            };
-            material.texture = Some(texture);
+            });
         }
         scene.materials.push(material);
     }
-    Ok(())
 }
 
 /// The roughness of a surface with the exponent of Phong's highlight, 0 or more. Blinn's highlight of that exponent is about

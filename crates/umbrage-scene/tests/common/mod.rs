@@ -11,6 +11,8 @@ pub struct Doc {
     /// The primitives of the only mesh.
     pub primitives: String,
     pub nodes: String,
+    /// Further buffers, each with a comma before it.
+    pub buffers: String,
     /// Further members of the document, each with a comma before it.
     pub rest: String,
 }
@@ -27,6 +29,7 @@ impl Doc {
             accessors: Vec::new(),
             primitives: r#"{"attributes": {"POSITION": 0}}"#.to_owned(),
             nodes: r#"{"mesh": 0}"#.to_owned(),
+            buffers: String::new(),
             rest: String::new(),
         };
         doc.accessor(&floats(&CORNERS), "", r#""count": 3, "componentType": 5126, "type": "VEC3""#);
@@ -50,10 +53,10 @@ impl Doc {
     }
 
     pub fn json(&self) -> String {
-        let Self { binary, views, accessors, primitives, nodes, rest } = self;
+        let Self { binary, views, accessors, primitives, nodes, buffers, rest } = self;
         let (views, accessors, length) = (views.join(", "), accessors.join(", "), binary.len());
         format!(
-            r#"{{"asset": {{"version": "2.0"}}, "buffers": [{{"byteLength": {length}}}],
+            r#"{{"asset": {{"version": "2.0"}}, "buffers": [{{"byteLength": {length}}}{buffers}],
             "bufferViews": [{views}], "accessors": [{accessors}], "meshes": [{{"primitives": [{primitives}]}}],
             "nodes": [{nodes}]{rest}}}"#
         )
@@ -84,17 +87,4 @@ pub fn glb(json: &str, binary: &[u8]) -> Vec<u8> {
 /// Little-endian bytes.
 pub fn floats(numbers: &[f32]) -> Vec<u8> {
     numbers.iter().flat_map(|x| x.to_le_bytes()).collect()
-}
-
-/// Little-endian bytes.
-pub fn shorts(numbers: &[u16]) -> Vec<u8> {
-    numbers.iter().flat_map(|x| x.to_le_bytes()).collect()
-}
-
-/// A PNG file of one colour.
-pub fn png(width: u32, height: u32, colour: [u8; 4]) -> Vec<u8> {
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    let picture = image::RgbaImage::from_pixel(width, height, image::Rgba(colour));
-    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    bytes.into_inner()
 }

@@ -10,28 +10,72 @@ use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::validation::Checked;
 use gltf::json::{Accessor, Index, Root, buffer};
 
+use super::document::Broken;
+use super::extensions;
 use crate::error::Fault;
 
 /// Rows that an accessor without a view, all zeros but for the sparse ones, may have; nothing in the file pays for it.
 const MAX_ZERO_ROWS: u64 = 1 << 24;
 
-/// A document whose indices were validated, with the bytes of its buffers.
+/// The bytes of a buffer, or why there are none.
+pub(super) type Bytes<'a> = Result<Cow<'a, [u8]>, String>;
+
+/// A document with the bytes of its buffers. Indices of accessors and views are checked here, and nowhere else.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Data<'a> {
     pub root: &'a Root,
-    pub buffers: &'a [Cow<'a, [u8]>],
+    pub buffers: &'a [Bytes<'a>],
+    pub broken: &'a Broken,
 }
 
 impl Data<'_> {
-    /// Returns the number of an accessor's rows, which are not yet known to exist.
-    pub fn count(&self, index: Index<Accessor>) -> usize {
-        usize::try_from(self.root.accessors[index.value()].count.0).unwrap_or(usize::MAX)
+    /// Returns the number of an accessor's rows, all of which exist.
+    pub fn count(&self, index: Index<Accessor>) -> Result<usize, Fault> {
+        // Rows of nothing are as cheap to make as to count.
+        self.rows(index, |_| ()).map(|rows| rows.len())
+    }
+
+    /// An accessor that could be read.
+    fn accessor(&self, index: Index<Accessor>) -> Result<&Accessor, Fault> {
+        if let Some(why) = self.broken.get(&("accessors", index.value())) {
+            return Err(Fault(format!("accessor {index} cannot be read, {why}")));
+        }
+        let count = self.root.accessors.len();
+        self.root
+            .accessors
+            .get(index.value())
+            .ok_or_else(|| Fault(format!("accessor {index} of {count} is not there")))
+    }
+
+    fn buffer_view(&self, index: Index<buffer::View>) -> Result<&buffer::View, Fault> {
+        if let Some(why) = self.broken.get(&("bufferViews", index.value())) {
+            return Err(Fault(format!("buffer view {index} cannot be read, {why}")));
+        }
+        let count = self.root.buffer_views.len();
+        self.root
+            .buffer_views
+            .get(index.value())
+            .ok_or_else(|| Fault(format!("buffer view {index} of {count} is not there")))
     }
 
     /// The bytes of a whole buffer view.
     pub fn view(&self, index: Index<buffer::View>) -> Result<&[u8], Fault> {
-        let view = &self.root.buffer_views[index.value()];
-        let buffer = &self.buffers[view.buffer.value()];
+        let view = self.buffer_view(index)?;
+        let number = view.buffer.value();
+        let buffer = match self.buffers.get(number) {
+            Some(Ok(bytes)) => bytes,
+            Some(Err(why)) => {
+                // Who packs a view may leave out the bytes that others would read.
+                let others = view.extensions.as_ref().map(|e| &e.others);
+                let pack =
+                    extensions::PACKED.iter().find(|name| others.is_some_and(|o| o.contains_key(**name)));
+                let why = pack.map_or_else(|| why.clone(), |name| extensions::packed(name));
+                return Err(Fault(format!("buffer view {index}, {why}")));
+            }
+            None => {
+                return Err(Fault(format!("buffer {number} of {} is not there", self.buffers.len())));
+            }
+        };
         let start = view.byte_offset.unwrap_or_default().0;
         part(buffer, start, view.byte_length.0).ok_or_else(|| {
             let (view_length, length) = (view.byte_length.0, buffer.len());
@@ -43,7 +87,7 @@ impl Data<'_> {
 
     /// Reads vectors of `N` numbers; integers become floats, between −1 and 1 where the accessor is normalised.
     pub fn vectors<const N: usize>(&self, index: Index<Accessor>) -> Result<Vec<[f32; N]>, Fault> {
-        let accessor = &self.root.accessors[index.value()];
+        let accessor = self.accessor(index)?;
         let size = match accessor.type_ {
             Checked::Valid(kind) => kind.multiplicity(),
             Checked::Invalid => 0,
@@ -73,7 +117,7 @@ impl Data<'_> {
 
     /// Reads indices of 8, 16 or 32 bits.
     pub fn indices(&self, index: Index<Accessor>) -> Result<Vec<u32>, Fault> {
-        let accessor = &self.root.accessors[index.value()];
+        let accessor = self.accessor(index)?;
         let single = matches!(accessor.type_, Checked::Valid(Type::Scalar));
         match component(accessor).filter(|_| single) {
             Some(ComponentType::U8) => self.rows(index, |row| u32::from(row[0])),
@@ -91,7 +135,7 @@ impl Data<'_> {
 
     /// All rows of an accessor; `decode` gets as many bytes as its type has.
     fn rows<T: Copy>(&self, index: Index<Accessor>, decode: impl Fn(&[u8]) -> T) -> Result<Vec<T>, Fault> {
-        let accessor = &self.root.accessors[index.value()];
+        let accessor = self.accessor(index)?;
         let (Some(part), Checked::Valid(kind)) = (component(accessor), accessor.type_) else {
             return Err(Fault(format!("accessor {index} has no type")));
         };
@@ -142,7 +186,7 @@ impl Data<'_> {
         size: usize,
         label: impl Fn() -> String,
     ) -> Result<impl Iterator<Item = &[u8]>, Fault> {
-        let stride = self.root.buffer_views[view.value()].byte_stride.map_or(size, |stride| stride.0);
+        let stride = self.buffer_view(view)?.byte_stride.map_or(size, |stride| stride.0);
         if stride < size {
             return Err(Fault(format!("{} has rows of {size} bytes, every {stride} bytes", label())));
         }

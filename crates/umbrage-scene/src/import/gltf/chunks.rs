@@ -3,26 +3,41 @@
 //! Source: glTF 2.0, section 4.4, *Binary glTF Layout*.
 
 use crate::error::Fault;
+use crate::import::warnings::Warnings;
 
 const MAGIC: &[u8] = b"glTF";
 
 /// The JSON, and the bytes where the file has some. A file without the magic number is all JSON.
-pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
+pub(super) fn split<'a>(
+    bytes: &'a [u8],
+    warnings: &mut Warnings,
+) -> Result<(&'a [u8], Option<&'a [u8]>), Fault> {
     let Some(header) = bytes.strip_prefix(MAGIC) else {
         return Ok((bytes, None));
     };
     let (version, header) = number(header)?;
-    let (length, _) = number(header)?;
+    let (length, rest) = number(header)?;
     if version != 2 {
         return Err(Fault(format!("binary glTF version {version}, need 2")));
     }
-    let Some([_, _, _, rest @ ..]) = bytes.get(..length as usize).map(|file| file.as_chunks::<4>().0) else {
-        return Err(Fault(format!("the file has {} bytes, its header says {length}", bytes.len())));
-    };
-    let (json, rest) = chunk(rest.as_flattened(), b"JSON")?;
+    if length as usize != bytes.len() {
+        let subject = format!("{} bytes, the header says {length}", bytes.len());
+        warnings.note("the file is read to its end, whatever its header says", &subject);
+    }
+    let (json, rest) = chunk(rest, b"JSON")?;
     // Chunks of other kinds may follow, and are to be ignored.
-    let binary = if rest.is_empty() { None } else { chunk(rest, b"BIN\0").ok().map(|(binary, _)| binary) };
-    Ok((json, binary))
+    let Ok((length, rest)) = number(rest) else {
+        return Ok((json, None));
+    };
+    let Some(rest) = rest.strip_prefix(b"BIN\0") else {
+        return Ok((json, None));
+    };
+    let binary = rest.get(..length as usize).unwrap_or_else(|| {
+        let subject = format!("{} of {length} bytes are there", rest.len());
+        warnings.note("the binary chunk ends early", &subject);
+        rest
+    });
+    Ok((json, Some(binary)))
 }
 
 /// The content of the chunk that comes first, and what follows it.
@@ -54,19 +69,44 @@ mod tests {
         .concat()
     }
 
+    /// The JSON, the bytes, and how many warnings it took.
+    type Split = (Vec<u8>, Option<Vec<u8>>, usize);
+
+    fn split_up(bytes: &[u8]) -> Result<Split, Fault> {
+        let mut warnings = Warnings::default();
+        let (json, binary) = split(bytes, &mut warnings)?;
+        Ok((json.to_vec(), binary.map(<[u8]>::to_vec), warnings.into_lines().len()))
+    }
+
     #[test]
-    fn lengths_that_lie_are_faults() {
-        assert_eq!(split(&file(24, 4)).unwrap(), (b"{}  " as &[u8], None));
-        for (length, json_length) in [(25, 4), (u32::MAX, 4), (0, 4), (24, 5), (24, u32::MAX), (12, 4)] {
-            split(&file(length, json_length)).unwrap_err();
+    fn lengths_of_the_json_that_lie_are_faults() {
+        assert_eq!(split_up(&file(24, 4)).unwrap(), (b"{}  ".to_vec(), None, 0));
+        for json_length in [5, u32::MAX] {
+            split_up(&file(24, json_length)).unwrap_err();
         }
         for cut in 4..24 {
-            split(&file(24, 4)[..cut]).unwrap_err();
+            split_up(&file(24, 4)[..cut]).unwrap_err();
         }
     }
 
     #[test]
+    fn the_length_of_the_file_is_believed_to_nobody() {
+        for length in [25, u32::MAX, 0, 12] {
+            assert_eq!(split_up(&file(length, 4)).unwrap(), (b"{}  ".to_vec(), None, 1), "{length}");
+        }
+    }
+
+    #[test]
+    fn a_binary_chunk_that_ends_early_is_read_as_far_as_it_goes() {
+        let binary = [&5u32.to_le_bytes() as &[u8], b"BIN\0abc"].concat();
+        let bytes = [file(35, 4), binary].concat();
+        assert_eq!(split_up(&bytes).unwrap(), (b"{}  ".to_vec(), Some(b"abc".to_vec()), 1));
+        let other = [file(35, 4), [&3u32.to_le_bytes() as &[u8], b"XYZ\0abc"].concat()].concat();
+        assert_eq!(split_up(&other).unwrap(), (b"{}  ".to_vec(), None, 0));
+    }
+
+    #[test]
     fn anything_else_is_taken_for_json() {
-        assert_eq!(split(b"{}").unwrap(), (b"{}" as &[u8], None));
+        assert_eq!(split_up(b"{}").unwrap(), (b"{}".to_vec(), None, 0));
     }
 }

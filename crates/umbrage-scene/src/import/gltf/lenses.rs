@@ -1,4 +1,4 @@
-//! Cameras and punctual lights, as they hang on nodes.
+//! Cameras and punctual lights, as they hang on nodes: each at the origin, until it is put where its node stands.
 //!
 //! Source: glTF 2.0, section 3.10, *Cameras*, and the `KHR_lights_punctual` specification.
 
@@ -20,12 +20,7 @@ const NEAREST_SHARE: f32 = 1e-4;
 const LEAST_HALF_ANGLE: f32 = 1e-3;
 
 /// The camera at a node; `far` is infinite where the file gives none.
-pub(super) fn camera(
-    root: &Root,
-    index: Index<JsonCamera>,
-    node: &Node,
-    world_from_camera: Mat4,
-) -> Result<Camera, Fault> {
+pub(super) fn camera(root: &Root, index: Index<JsonCamera>, node: &Node) -> Result<Camera, Fault> {
     let camera = &root.cameras[index.value()];
     let name =
         node.name.as_ref().or(camera.name.as_ref()).cloned().unwrap_or_else(|| format!("camera {index}"));
@@ -54,7 +49,7 @@ pub(super) fn camera(
     if !(0.0 < near && near < far) {
         return Err(Fault(format!("camera {name:?} sees from {near} m to {far} m, need 0 < near < far")));
     }
-    Ok(Camera { name, world_from_camera, lens, near, far })
+    Ok(Camera { name, world_from_camera: Mat4::IDENTITY, lens, near, far })
 }
 
 /// The light at a node. Numbers that give no light are kept, except that whoever draws must leave it out; angles that no
@@ -63,7 +58,6 @@ pub(super) fn light(
     root: &Root,
     index: Index<JsonLight>,
     node: &Node,
-    world_from_light: Mat4,
     warnings: &mut Warnings,
 ) -> Result<Light, Fault> {
     let lights: &[JsonLight] = root.as_ref();
@@ -89,5 +83,13 @@ pub(super) fn light(
             return Err(Fault(format!("light {name:?} is of no kind")));
         }
     };
-    Ok(Light { name, world_from_light, colour, intensity, kind, near: 0.0, motion: Motion::Still })
+    Ok(Light {
+        name,
+        world_from_light: Mat4::IDENTITY,
+        colour,
+        intensity,
+        kind,
+        near: 0.0,
+        motion: Motion::Still,
+    })
 }

@@ -6,23 +6,19 @@
 mod mapping;
 mod maps;
 
-use std::collections::BTreeMap;
-
 use glam::{Vec3, Vec4};
 use gltf::json::material::AlphaMode;
 use gltf::json::validation::Checked;
-use gltf::json::{Image, Index, Material as JsonMaterial, Value};
+use gltf::json::{Index, Material as JsonMaterial, Value};
 
 use super::accessors::Data;
-use crate::error::Fault;
+use super::images::Pictures;
 use crate::import::budget::Budget;
 use crate::import::files::Files;
-use crate::import::pictures;
 use crate::import::warnings::Warnings;
 use crate::{Material, Texture};
 
 pub(super) use mapping::Mapping;
-use maps::Pictures;
 
 /// The extension by which a material shows its own colour whatever the lights are.
 pub(crate) const UNLIT: &str = "KHR_materials_unlit";
@@ -59,48 +55,33 @@ pub(super) fn read(
     files: Files<'_>,
     budget: &mut Budget,
     warnings: &mut Warnings,
-) -> Result<Surfaces, Fault> {
+) -> Surfaces {
     let mut surfaces = Surfaces::default();
-    let root = data.root;
-    // Which images are used, and whether one is that of a base colour: the others can be done without.
-    let mut used: BTreeMap<usize, bool> = BTreeMap::new();
-    for material in &root.materials {
-        for (texture, is_base) in maps::textures(material) {
-            *used.entry(root.textures[texture].source.value()).or_default() |= is_base;
-        }
-    }
-    let mut textures = BTreeMap::new();
-    for (image, is_base) in used {
-        match picture(data, image, files, budget) {
-            Ok(picture) => {
-                textures.insert(image, surfaces.textures.len());
-                surfaces.textures.push(picture);
-            }
-            Err(fault) if is_base => return Err(fault),
-            Err(Fault(why)) => warnings.note("pictures that cannot be read are left out", &why),
-        }
-    }
-    let pictures = Pictures { root, textures: &textures };
-    for (i, json) in root.materials.iter().enumerate() {
+    let materials = &data.root.materials;
+    // Those of base colours come first: what they leave of the budget is for the others.
+    let base = materials.iter().filter_map(|m| m.pbr_metallic_roughness.base_color_texture.as_ref());
+    let wanted = base.map(|info| info.index).chain(materials.iter().flat_map(maps::others));
+    let pictures = Pictures::read(data, wanted, files, budget, warnings);
+    for (i, json) in materials.iter().enumerate() {
         let name = json.name.clone().unwrap_or_else(|| format!("material {i}"));
         if !matches!(json.alpha_mode, Checked::Valid(AlphaMode::Opaque)) {
             warnings.note("transparent materials are drawn as opaque", &name);
         }
-        let mut material = numbers(json, name, warnings)?;
-        surfaces.mappings.push(pictures.give(&mut material, json, warnings)?);
+        let mut material = numbers(json, name, warnings);
+        surfaces.mappings.push(maps::give(&pictures, &mut material, json, warnings));
         surfaces.materials.push(material);
     }
-    Ok(surfaces)
+    surfaces.textures = pictures.textures;
+    surfaces
 }
 
 /// A material's numbers, without pictures.
-fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Result<Material, Fault> {
+fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Material {
     let pbr = &json.pbr_metallic_roughness;
-    let base_colour = Vec4::from(pbr.base_color_factor.0);
+    let mut base_colour = Vec4::from(pbr.base_color_factor.0);
     if !base_colour.is_finite() {
-        return Err(Fault(format!(
-            "the base colour of material {name:?} is {base_colour}, need finite numbers"
-        )));
+        warnings.note("base colours that are not finite become white", &name);
+        base_colour = Vec4::ONE;
     }
     let of_extension = |extension: &str, member: &str, warnings: &mut Warnings| {
         let value = json.extensions.as_ref()?.others.get(extension)?.get(member)?;
@@ -122,16 +103,16 @@ fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Result
         emission = Vec3::ZERO;
     }
     let unlit = json.extensions.as_ref().is_some_and(|extensions| extensions.others.contains_key(UNLIT));
-    Ok(Material {
+    Material {
         metallic: share(pbr.metallic_factor.0),
         roughness: share(pbr.roughness_factor.0),
         specular: share(specular),
         emission: emission.max(Vec3::ZERO),
         unlit,
-        casts: super::casts(&json.extras, &name, warnings).unwrap_or(true),
+        casts: super::place::casts(&json.extras, &name, warnings).unwrap_or(true),
         base_colour,
         ..Material::plain(&name, 1.0, 1.0, 1.0)
-    })
+    }
 }
 
 /// A number of 0 or more that is finite.
@@ -142,19 +123,4 @@ fn number(value: &Value) -> Option<f32> {
 /// The nearest number from 0 to 1.
 fn share(number: f32) -> f32 {
     if number > 1.0 { 1.0 } else { number.max(0.0) }
-}
-
-fn picture(data: &Data<'_>, index: usize, files: Files<'_>, budget: &mut Budget) -> Result<Texture, Fault> {
-    let image: &Image = &data.root.images[index];
-    let label = || format!("image {index}");
-    match (image.buffer_view, &image.uri) {
-        (Some(view), _) => {
-            pictures::decode(data.view(view)?, image.name.clone().unwrap_or_else(label), budget)
-        }
-        (None, Some(uri)) => {
-            let name = if uri.starts_with("data:") { label() } else { uri.clone() };
-            pictures::decode(&files.fetch(uri)?, image.name.clone().unwrap_or(name), budget)
-        }
-        (None, None) => Err(Fault(format!("{} has neither a URI nor a buffer view", label()))),
-    }
 }

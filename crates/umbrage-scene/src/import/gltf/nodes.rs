@@ -1,119 +1,234 @@
-//! The node tree: which nodes are in the scene, and where they stand.
+//! The node tree: which nodes are in the scene, and where they stand, in f64.
 //!
-//! No recursion: a file may nest its nodes as deep as it likes.
+//! No recursion: a file may nest its nodes as deep as it likes. A tree that is none is mended, with a warning: a node is
+//! drawn once, under the first parent that names it.
 
-use glam::{Mat3, Mat4, Quat, Vec3};
-use gltf::json::{Node, Root};
+use glam::{DMat3, DMat4, DVec3};
+use gltf::json::Root;
 
-use crate::error::Fault;
+use super::transforms::Transform;
+use crate::import::warnings::Warnings;
 
 /// How far from unit length and right angles, squared, the axes of a rigid transform may be to be kept as they are.
-const RIGID_TOLERANCE: f32 = 1e-3;
+const RIGID_TOLERANCE: f64 = 1e-3;
+
+/// The shape of the forest: the children of each node, and whether it has a parent.
+struct Forest {
+    children: Vec<Vec<usize>>,
+    has_parent: Vec<bool>,
+}
 
 /// The nodes of the default scene (the first where none is the default, all where there are no scenes), parents before
-/// children and otherwise in the file's order, each with its `world_from_node`.
-pub(super) fn walk(root: &Root) -> Result<Vec<(usize, Mat4)>, Fault> {
-    let children = |i: usize| root.nodes[i].children.iter().flatten().map(|child| child.value());
-    let mut has_parent = vec![false; root.nodes.len()];
-    for parent in 0..root.nodes.len() {
-        for child in children(parent) {
-            if std::mem::replace(&mut has_parent[child], true) {
-                return Err(Fault(format!("node {child} has two parents")));
-            }
-        }
-    }
-    let tops: Vec<usize> = (0..root.nodes.len()).filter(|&i| !has_parent[i]).collect();
-    let mut reached = 0;
-    let mut stack = tops.clone();
-    while let Some(node) = stack.pop() {
-        reached += 1;
-        stack.extend(children(node));
-    }
-    // No node has two parents, so those that no top leads to go round in circles.
-    if reached < root.nodes.len() {
-        return Err(Fault(format!("{} nodes are their own ancestors", root.nodes.len() - reached)));
-    }
-
-    let scene = root.scenes.get(root.scene.map_or(0, |scene| scene.value()));
-    let tops = scene.map_or(tops, |scene| scene.nodes.iter().map(|node| node.value()).collect());
-    if let Some(inner) = tops.iter().find(|&&i| has_parent[i]) {
-        return Err(Fault(format!("node {inner} is in the scene and has a parent")));
-    }
-    let mut seen = vec![false; root.nodes.len()];
-    if let Some(twice) = tops.iter().find(|&&i| std::mem::replace(&mut seen[i], true)) {
-        return Err(Fault(format!("node {twice} is in the scene twice")));
-    }
+/// children and otherwise in the file's order, each with its `world_from_node`. The world's origin is at `origin` in the
+/// file: it is taken from the outermost nodes, before anything is added to them.
+pub(super) fn walk(
+    root: &Root,
+    transforms: &[Result<Transform, String>],
+    origin: DVec3,
+    warnings: &mut Warnings,
+) -> Vec<(usize, DMat4)> {
+    let forest = Forest::new(root, warnings);
+    let tops = forest.tops(root, warnings);
     let mut placed = Vec::new();
-    let mut stack: Vec<(usize, Option<Mat4>)> = tops.into_iter().rev().map(|i| (i, None)).collect();
+    let mut is_placed = vec![false; root.nodes.len()];
+    let top_from_file = DMat4::from_translation(-origin);
+    let mut stack: Vec<(usize, DMat4)> = tops.into_iter().rev().map(|i| (i, top_from_file)).collect();
     while let Some((i, world_from_parent)) = stack.pop() {
-        let parent_from_node = local(&root.nodes[i], i)?;
-        // A node without a parent keeps its own matrix to the bit, signs of zeros included.
-        let world_from_node = world_from_parent.map_or(parent_from_node, |w| w * parent_from_node);
+        if std::mem::replace(&mut is_placed[i], true) {
+            continue;
+        }
+        let world_from_node = match transforms.get(i) {
+            Some(Ok(transform)) => {
+                for ignored in &transform.ignored {
+                    warnings.note("parts of transforms are ignored", &format!("{ignored}, node {i}"));
+                }
+                then(world_from_parent, transform.parent_from_node)
+            }
+            Some(Err(why)) => {
+                let what = "nodes that stand nowhere are left out, with all that hangs on them";
+                warnings.note(what, &format!("node {i}, {why}"));
+                continue;
+            }
+            None => world_from_parent,
+        };
         if !world_from_node.is_finite() {
-            return Err(Fault(format!("node {i} stands where numbers are not finite")));
+            let what = "nodes that stand nowhere are left out, with all that hangs on them";
+            warnings.note(what, &format!("node {i}, numbers that are not finite"));
+            continue;
         }
         placed.push((i, world_from_node));
         let first = stack.len();
-        stack.extend(children(i).map(|child| (child, Some(world_from_node))));
+        stack.extend(forest.children[i].iter().map(|&child| (child, world_from_node)));
         stack[first..].reverse();
     }
-    Ok(placed)
+    placed
 }
 
-/// `parent_from_node`: the node's matrix, or its translation, rotation and scale.
-fn local(node: &Node, i: usize) -> Result<Mat4, Fault> {
-    let matrix = match node.matrix {
-        Some(columns) => Mat4::from_cols_array(&columns),
-        None => {
-            let [x, y, z, w] = node.rotation.map_or([0.0, 0.0, 0.0, 1.0], |rotation| rotation.0);
-            let rotation = Quat::from_xyzw(x, y, z, w);
-            let length = rotation.length();
-            // Also true for NaN.
-            if !(length > 1e-6 && length.is_finite()) {
-                return Err(Fault(format!("the rotation of node {i} is {rotation}, need a unit quaternion")));
+impl Forest {
+    fn new(root: &Root, warnings: &mut Warnings) -> Self {
+        let mut has_parent = vec![false; root.nodes.len()];
+        let mut children = Vec::with_capacity(root.nodes.len());
+        for node in &root.nodes {
+            let mut own = Vec::new();
+            for child in node.children.iter().flatten().map(|child| child.value()) {
+                if std::mem::replace(&mut has_parent[child], true) {
+                    let what = "nodes that several nodes list are drawn once, under the first";
+                    warnings.note(what, &format!("node {child}"));
+                } else {
+                    own.push(child);
+                }
             }
-            let scale = node.scale.map_or(Vec3::ONE, Vec3::from);
-            let translation = node.translation.map_or(Vec3::ZERO, Vec3::from);
-            Mat4::from_scale_rotation_translation(scale, rotation * length.recip(), translation)
+            children.push(own);
         }
-    };
-    if !matrix.is_finite() {
-        return Err(Fault(format!("the matrix of node {i} is not finite")));
+        Self { children, has_parent }
     }
-    if matrix.row(3).to_array() != [0.0, 0.0, 0.0, 1.0] {
-        return Err(Fault(format!(
-            "the last row of the matrix of node {i} is {}, need 0 0 0 1",
-            matrix.row(3)
-        )));
+
+    /// The outermost nodes of the scene, each once, none under another.
+    fn tops(&self, root: &Root, warnings: &mut Warnings) -> Vec<usize> {
+        let all = 0..root.nodes.len();
+        let scene = root.scenes.get(root.scene.map_or(0, |scene| scene.value()));
+        let listed: Vec<usize> = match scene {
+            Some(scene) if !scene.nodes.is_empty() => scene.nodes.iter().map(|node| node.value()).collect(),
+            Some(_) | None => {
+                if scene.is_some() && !root.nodes.is_empty() {
+                    warnings.note(
+                        "a scene that lists no node is drawn with all of the file",
+                        "the default scene",
+                    );
+                }
+                return self.roots(all, warnings);
+            }
+        };
+        let mut is_listed = vec![false; root.nodes.len()];
+        let mut once = Vec::with_capacity(listed.len());
+        for node in listed {
+            if std::mem::replace(&mut is_listed[node], true) {
+                warnings.note("nodes that the scene lists twice are drawn once", &format!("node {node}"));
+            } else {
+                once.push(node);
+            }
+        }
+        let below = self.below(&once);
+        once.retain(|&node| {
+            let label = || root.nodes[node].name.clone().unwrap_or_else(|| format!("node {node}"));
+            if below[node] {
+                warnings.note("nodes that the scene lists beside their parent are drawn under it", &label());
+            } else if self.has_parent[node] {
+                let what = "nodes that the scene lists without their parent are drawn without its transform";
+                warnings.note(what, &label());
+            }
+            !below[node]
+        });
+        once
     }
-    Ok(matrix)
+
+    /// Whether each node hangs, at any depth, on one of these.
+    fn below(&self, tops: &[usize]) -> Vec<bool> {
+        let mut below = vec![false; self.children.len()];
+        let mut is_open = vec![false; self.children.len()];
+        for &top in tops {
+            let mut stack = vec![top];
+            while let Some(node) = stack.pop() {
+                // A node has one parent, so no path is walked twice unless it is a circle or leads to another top.
+                if std::mem::replace(&mut is_open[node], true) {
+                    continue;
+                }
+                for &child in &self.children[node] {
+                    // In a circle, the listed node is where it begins.
+                    below[child] |= child != top;
+                    stack.push(child);
+                }
+            }
+        }
+        below
+    }
+
+    /// The nodes without parents, and one of each circle.
+    fn roots(&self, all: std::ops::Range<usize>, warnings: &mut Warnings) -> Vec<usize> {
+        let mut roots: Vec<usize> = all.clone().filter(|&i| !self.has_parent[i]).collect();
+        let mut reached = vec![false; all.len()];
+        let mark = |from: usize, reached: &mut Vec<bool>| {
+            let mut stack = vec![from];
+            while let Some(node) = stack.pop() {
+                if !std::mem::replace(&mut reached[node], true) {
+                    stack.extend(&self.children[node]);
+                }
+            }
+        };
+        for &root in &roots {
+            mark(root, &mut reached);
+        }
+        for node in all {
+            if !reached[node] {
+                let what = "nodes that are their own ancestors are drawn as if they had no parent";
+                warnings.note(what, &format!("node {node}"));
+                roots.push(node);
+                mark(node, &mut reached);
+            }
+        }
+        roots
+    }
+}
+
+/// One transform after the other. Where the outer one only moves, the inner one keeps its bits, signs of zeros included.
+fn then(outer: DMat4, inner: DMat4) -> DMat4 {
+    if DMat3::from_mat4(outer) != DMat3::IDENTITY {
+        return outer * inner;
+    }
+    let moved = |by: f64, from: f64| if by == 0.0 { from } else { by + from };
+    let mut sum = inner;
+    for axis in 0..3 {
+        sum.w_axis[axis] = moved(outer.w_axis[axis], inner.w_axis[axis]);
+    }
+    sum
 }
 
 /// The transform without scale, skew and mirroring, for cameras and lights: −Z and the place stay what they are. One
 /// that is rigid already is kept to the bit. `None` where there is no direction left.
-pub(super) fn rigid(matrix: Mat4) -> Option<Mat4> {
-    let axes = Mat3::from_mat4(matrix);
-    let error = axes.transpose() * axes - Mat3::IDENTITY;
-    let largest = error.to_cols_array().into_iter().fold(0.0, |most: f32, e| most.max(e.abs()));
+pub(super) fn rigid(matrix: DMat4) -> Option<DMat4> {
+    let axes = DMat3::from_mat4(matrix);
+    let error = axes.transpose() * axes - DMat3::IDENTITY;
+    let largest = error.to_cols_array().into_iter().fold(0.0, |most: f64, e| most.max(e.abs()));
     if largest <= RIGID_TOLERANCE && axes.determinant() > 0.0 {
         return Some(matrix);
     }
-    let z = axes.z_axis.try_normalize()?;
+    // Flattened along its own view, it still looks across what is left.
+    let z = axes.z_axis.try_normalize().or_else(|| axes.x_axis.cross(axes.y_axis).try_normalize())?;
     let x = axes.y_axis.cross(z).try_normalize().unwrap_or_else(|| z.any_orthonormal_vector());
     let y = z.cross(x);
-    Some(Mat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), matrix.w_axis))
+    Some(DMat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), matrix.w_axis))
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::DQuat;
+
     use super::*;
 
     #[test]
     fn a_scaled_and_mirrored_camera_keeps_its_place_and_view() {
-        let turned = Mat4::from_rotation_translation(Quat::from_rotation_y(1.0), Vec3::new(1.0, 2.0, 3.0));
-        let pose = rigid(turned * Mat4::from_scale(Vec3::new(-2.0, 3.0, 0.5))).unwrap();
-        assert!(pose.abs_diff_eq(turned, 1e-5), "{pose} against {turned}");
+        let turned = DMat4::from_rotation_translation(DQuat::from_rotation_y(1.0), DVec3::new(1.0, 2.0, 3.0));
+        let pose = rigid(turned * DMat4::from_scale(DVec3::new(-2.0, 3.0, 0.5))).unwrap();
+        assert!(pose.abs_diff_eq(turned, 1e-9), "{pose} against {turned}");
         assert_eq!(rigid(turned), Some(turned));
-        assert_eq!(rigid(Mat4::from_scale(Vec3::ZERO)), None);
+        assert_eq!(rigid(DMat4::from_scale(DVec3::ZERO)), None);
+    }
+
+    #[test]
+    fn a_camera_flattened_along_its_view_still_looks_that_way() {
+        let turned = DMat4::from_rotation_y(1.0);
+        let pose = rigid(turned * DMat4::from_scale(DVec3::new(2.0, 3.0, 0.0))).unwrap();
+        assert!(pose.abs_diff_eq(turned, 1e-9), "{pose} against {turned}");
+    }
+
+    #[test]
+    fn what_only_moves_keeps_bits() {
+        let inner = DMat4::from_cols_array(&[
+            -0.0, 1.0, 0.0, 0.0, 1.0, -0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -0.0, 0.1, 3.0, 1.0,
+        ]);
+        let bits = |m: DMat4| m.to_cols_array().map(f64::to_bits);
+        assert_eq!(bits(then(DMat4::IDENTITY, inner)), bits(inner));
+        let there = then(DMat4::from_translation(-DVec3::X), then(DMat4::from_translation(DVec3::X), inner));
+        assert_eq!(there.w_axis.y.to_bits(), inner.w_axis.y.to_bits());
     }
 }

@@ -6,7 +6,10 @@ use glam::{Affine2, Vec2};
 use gltf::json::extensions::texture::TextureTransform;
 use gltf::json::{Value, deserialize, texture};
 
-use crate::error::Fault;
+use crate::import::warnings::Warnings;
+
+/// What is said of a transform that cannot be applied.
+const IGNORED: &str = "texture transforms that cannot be read are ignored";
 
 /// Which texture coordinates a picture uses, and what it does with them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,31 +22,32 @@ pub(crate) struct Mapping {
 
 impl Mapping {
     /// The mapping of a picture of colours.
-    pub fn of(info: &texture::Info, material: &str) -> Result<Self, Fault> {
+    pub fn of(info: &texture::Info, material: &str, warnings: &mut Warnings) -> Self {
         let transform = info.extensions.as_ref().and_then(|extensions| extensions.texture_transform.as_ref());
-        Self::new(info.tex_coord, transform, material)
+        Self::new(info.tex_coord, transform, material, warnings)
     }
 
     /// The mapping of a picture whose extensions are the JSON that they are in the file.
-    pub fn of_json(set: u32, transform: Option<&Value>, material: &str) -> Result<Self, Fault> {
-        let transform: Option<TextureTransform> =
-            transform.map(|value| deserialize::from_value(value.clone())).transpose().map_err(|why| {
-                Fault(format!("the texture transform of material {material:?} is malformed, {why}"))
-            })?;
-        Self::new(set, transform.as_ref(), material)
+    pub fn of_json(set: u32, transform: Option<&Value>, material: &str, warnings: &mut Warnings) -> Self {
+        let transform = transform.and_then(|value| {
+            let transform = deserialize::from_value::<TextureTransform>(value.clone());
+            transform.map_err(|why| warnings.note(IGNORED, &format!("{material}, {why}"))).ok()
+        });
+        Self::new(set, transform.as_ref(), material, warnings)
     }
 
-    fn new(set: u32, transform: Option<&TextureTransform>, material: &str) -> Result<Self, Fault> {
+    fn new(set: u32, transform: Option<&TextureTransform>, material: &str, warnings: &mut Warnings) -> Self {
         let Some(transform) = transform else {
-            return Ok(Self { set, picture_from_uv: None });
+            return Self { set, picture_from_uv: None };
         };
+        let set = transform.tex_coord.unwrap_or(set);
         let (scale, angle) = (Vec2::from(transform.scale.0), transform.rotation.0);
         let picture_from_uv = Affine2::from_scale_angle_translation(scale, -angle, transform.offset.0.into());
         if !picture_from_uv.is_finite() {
-            return Err(Fault(format!("the texture transform of material {material:?} is not finite")));
+            warnings.note(IGNORED, &format!("{material}, it is not finite"));
+            return Self { set, picture_from_uv: None };
         }
-        let set = transform.tex_coord.unwrap_or(set);
-        Ok(Self { set, picture_from_uv: (picture_from_uv != Affine2::IDENTITY).then_some(picture_from_uv) })
+        Self { set, picture_from_uv: (picture_from_uv != Affine2::IDENTITY).then_some(picture_from_uv) }
     }
 
     /// The transform from the texture coordinates that `first` makes to those of this mapping of the same set; `None` where

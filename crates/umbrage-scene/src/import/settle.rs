@@ -1,0 +1,176 @@
+//! A draft to a scene: transforms to f32, as the rest of the program wants them, and what cannot be drawn left out.
+//!
+//! Space: world space, metres, around the draft's origin.
+
+use std::collections::HashMap;
+
+use glam::DMat4;
+
+use super::budget::Budget;
+use super::domes;
+use super::draft::{Draft, Placed};
+use super::extent::Extent;
+use super::flatten::{self, Stretch};
+use super::recentre::Rebased;
+use super::warnings::Warnings;
+use crate::error::Fault;
+use crate::{Instance, Scene};
+
+/// Coordinates beyond this, metres, are a mistake, and their cubes would overflow.
+pub(super) const FARTHEST: f64 = 1e12;
+
+/// Puts everything of a draft into a scene that has its meshes. Only more than the budget allows stops here.
+pub(super) fn settle(
+    draft: Draft,
+    rebased: &[Rebased],
+    scene: &mut Scene,
+    budget: &mut Budget,
+    warnings: &mut Warnings,
+) -> Result<(), Fault> {
+    let Draft { instances, cameras, lights, path, exposed_for, origin } = draft;
+    scene.origin = origin;
+    scene.path = path;
+    scene.exposed_for = exposed_for;
+    let mut flattened = HashMap::new();
+    let mut said_to_cast = Vec::new();
+    for placed in &instances {
+        let rebased = &rebased[placed.what];
+        let world_from_mesh = placed.world_from_mesh(rebased);
+        note_coarse(placed, rebased, &world_from_mesh, scene, warnings);
+        let reach = Extent::of(scene.meshes[placed.what].bounds).transformed(&world_from_mesh).reach();
+        if reach.is_nan() || reach > FARTHEST {
+            let what = "instances that reach too far are left out";
+            warnings.note(what, &format!("{} to {reach:e} m, need at most {FARTHEST:e} m", placed.label));
+            continue;
+        }
+        let (mesh, world_from_mesh) = match flatten::stretch(&world_from_mesh) {
+            Stretch::Ordinary => (placed.what, world_from_mesh),
+            Stretch::Flat => flat(placed.what, &world_from_mesh, &mut flattened, scene, budget)?,
+            Stretch::Nothing => {
+                warnings.note("instances scaled to a line or a point are left out", &placed.label);
+                continue;
+            }
+        };
+        said_to_cast.push(placed.casts == Some(true));
+        scene.instances.push(Instance {
+            name: placed.name.clone(),
+            mesh,
+            world_from_mesh: world_from_mesh.as_mat4(),
+            motion: placed.motion,
+            casts: placed.casts.unwrap_or(true),
+        });
+    }
+    domes::let_cast_nothing(scene, &said_to_cast, warnings);
+    let is_near = |pose: &DMat4| pose.w_axis.truncate().abs().max_element() <= FARTHEST;
+    for (camera, pose) in cameras {
+        if is_near(&pose) {
+            scene.cameras.push(crate::Camera { world_from_camera: pose.as_mat4(), ..camera });
+        } else {
+            warnings.note("cameras that stand too far are left out", &far(&camera.name, &pose));
+        }
+    }
+    for (light, pose) in lights {
+        if is_near(&pose) {
+            scene.lights.push(crate::Light { world_from_light: pose.as_mat4(), ..light });
+        } else {
+            warnings.note("lights that stand too far are left out", &far(&light.name, &pose));
+        }
+    }
+    Ok(())
+}
+
+fn far(name: &str, pose: &DMat4) -> String {
+    let [x, y, z] = pose.w_axis.truncate().to_array();
+    format!("{name} at {x:e} {y:e} {z:e}, need at most {FARTHEST:e} m")
+}
+
+/// The flat copy of a mesh, made once for each way of flattening it.
+fn flat(
+    mesh: usize,
+    world_from_mesh: &DMat4,
+    flattened: &mut HashMap<(usize, [u64; 9]), usize>,
+    scene: &mut Scene,
+    budget: &mut Budget,
+) -> Result<(usize, DMat4), Fault> {
+    let axes = glam::DMat3::from_mat4(*world_from_mesh).to_cols_array().map(f64::to_bits);
+    if let Some(&known) = flattened.get(&(mesh, axes)) {
+        return Ok((known, DMat4::from_translation(world_from_mesh.w_axis.truncate())));
+    }
+    budget.vertices(scene.meshes[mesh].positions.len())?;
+    budget.corners(scene.meshes[mesh].indices.len())?;
+    let (baked, rest) = flatten::bake(&scene.meshes[mesh], world_from_mesh);
+    scene.meshes.push(baked);
+    flattened.insert((mesh, axes), scene.meshes.len() - 1);
+    Ok((scene.meshes.len() - 1, rest))
+}
+
+/// Vertices that the file itself rounds so much that it shows, in metres of the world.
+fn note_coarse(
+    placed: &Placed,
+    rebased: &Rebased,
+    world_from_mesh: &DMat4,
+    scene: &Scene,
+    warnings: &mut Warnings,
+) {
+    let Some(apart) = rebased.coarse else {
+        return;
+    };
+    let stretch = [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis]
+        .into_iter()
+        .fold(0.0, |most: f64, axis| most.max(axis.truncate().length()));
+    let what = "vertices far from their mesh's origin are rounded so much that it shows, move them near it and their \
+                node away";
+    let mesh = &scene.meshes[placed.what].name;
+    warnings.note(what, &format!("to {} m in mesh {mesh:?}", crate::error::short(apart * stretch)));
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec3, Vec3};
+
+    use super::*;
+    use crate::{Mesh, Motion, Primitive};
+
+    fn scene() -> Scene {
+        let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let (normals, uvs) = (vec![Vec3::Z; 3], vec![glam::Vec2::ZERO; 3]);
+        let mesh = Mesh::new(
+            "t",
+            &[Primitive { positions, normals, uvs, indices: vec![0, 1, 2], ..Primitive::default() }],
+        );
+        Scene { meshes: vec![mesh], ..Scene::default() }
+    }
+
+    fn settled(transforms: &[DMat4]) -> (Scene, Vec<String>) {
+        let placed = |world_from_it: &DMat4| Placed {
+            what: 0,
+            world_from_it: *world_from_it,
+            motion: Motion::Still,
+            name: String::new(),
+            casts: None,
+            label: "n".to_owned(),
+        };
+        let draft = Draft { instances: transforms.iter().map(placed).collect(), ..Draft::default() };
+        let (mut scene, mut warnings) = (scene(), Warnings::default());
+        settle(draft, &[Rebased::default()], &mut scene, &mut Budget::new(), &mut warnings).unwrap();
+        (scene, warnings.into_lines())
+    }
+
+    #[test]
+    fn what_reaches_too_far_goes_and_the_rest_stays() {
+        let (scene, warnings) = settled(&[DMat4::IDENTITY, DMat4::from_translation(DVec3::X * 1e30)]);
+        assert_eq!(scene.instances.len(), 1);
+        assert_eq!(warnings, ["instances that reach too far are left out: n to 1e30 m, need at most 1e12 m"]);
+    }
+
+    #[test]
+    fn flat_copies_are_shared() {
+        let flat =
+            |x: f64| DMat4::from_translation(DVec3::X * x) * DMat4::from_scale(DVec3::new(1.0, 0.0, 1.0));
+        let (scene, warnings) = settled(&[flat(0.0), flat(1.0), DMat4::from_scale(DVec3::ZERO)]);
+        // The triangle stands upright, and is a line afterwards; but a surface can be flattened so.
+        assert_eq!((scene.meshes.len(), scene.instances.len()), (2, 2));
+        assert_eq!(scene.instances[1].world_from_mesh.w_axis.x, 1.0);
+        assert_eq!(warnings, ["instances scaled to a line or a point are left out: n"]);
+    }
+}
