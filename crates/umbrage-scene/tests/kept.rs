@@ -264,3 +264,16 @@ fn a_point_light_scaled_to_nothing_shines_and_a_spot_does_not() {
     assert_eq!(scene.lights.iter().map(|light| light.position()).collect::<Vec<_>>(), [Vec3::Y]);
     assert!(warnings.len() == 1 && warnings[0].contains("scaled to nothing"), "{warnings:?}");
 }
+
+#[test]
+fn an_exposure_of_no_light_is_one_warning_and_one_of_some_arrives() {
+    for (lux, exposed_for, warned) in [("3", Some(3.0), 0), ("0", None, 1), ("\"bright\"", None, 1)] {
+        let mut doc = Doc::triangle();
+        doc.rest = format!(
+            r#", "scenes": [{{"nodes": [0], "extras": {{"umbrage": {{"exposed_for": {lux}}}}}}}], "scene": 0"#
+        );
+        let Imported { scene, warnings } = doc.load().unwrap();
+        assert_eq!((scene.exposed_for, scene.triangles(), warnings.len()), (exposed_for, 1, warned), "{lux}");
+        assert!(warnings.iter().all(|line| line.starts_with("an exposure that cannot be")), "{warnings:?}");
+    }
+}

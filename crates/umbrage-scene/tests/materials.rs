@@ -150,6 +150,23 @@ fn a_picture_that_cannot_be_read_is_left_out_where_it_is_not_the_base_colours() 
     assert!(warnings.len() == 1 && warnings[0].starts_with("pictures that cannot be read"), "{warnings:?}");
 }
 
+#[test]
+fn a_transform_that_cannot_be_read_leaves_the_picture_where_it_is() {
+    for transform in ["3", r#"{"offset": "far"}"#, r#"{"scale": [1]}"#] {
+        let (material, warnings) = read(&format!(
+            r#""normalTexture": {{"index": 2, "extensions": {{"KHR_texture_transform": {transform}}}}}"#
+        ));
+        assert_eq!(
+            material.maps.normal,
+            Some((Map { texture: 0, picture_from_uv: SAME }, 1.0)),
+            "{transform}"
+        );
+        let is_told =
+            warnings.len() == 1 && warnings[0].starts_with("texture transforms that cannot be read");
+        assert!(is_told, "{transform}: {warnings:?}");
+    }
+}
+
 /// A triangle with colours of three vertices.
 fn coloured(kind: &str, component: u32, normalised: bool, bytes: &[u8]) -> Doc {
     let mut doc = Doc::triangle();
