@@ -95,9 +95,9 @@ impl Settings {
     }
 }
 
-/// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 89.94°. There
-/// the normals that shaders find, of positions in f32, are off by as much as the plane is from edge-on.
-pub const STEEPEST_PLANE: f32 = 1000.0;
+/// The steepest receiver whose plane is followed, as the tangent of the angle between its normal and the light: 89.7°. On
+/// what is steeper, the next triangle of a bent surface is more often wrong than the plane is right.
+pub const STEEPEST_PLANE: f32 = 200.0;
 
 /// Rasterisers round corners to a grid of 256 steps a texel: stored depth may be that of a place so many texels away.
 pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;

@@ -31,7 +31,7 @@ impl CasterPolicy {
             return ConvexVolume::empty();
         }
         // Nothing within a bulb casts. A pass that flattens would draw it, so it is not listed.
-        if projection.space.apex.is_some() && !input.flattens_casters {
+        if input.has_bulb {
             return ConvexVolume::in_map(projection.rows());
         }
         let is_plain = projection.space.apex.is_none() && projection.homography.is_rotation();

@@ -155,7 +155,8 @@ impl ShadowPlan {
         let place = Place { index, light, split, tile, depths: served.start as f32..served.end as f32 };
         let mut input = frame.input(fitted, light_frustum, tile.size);
         // What is flattened casts; what lies within a bulb does not.
-        input.flattens_casters &= self.lights[light].near() == 0.0;
+        input.has_bulb = self.lights[light].near() > 0.0;
+        input.flattens_casters &= !input.has_bulb;
         let Settings { fit, warp, .. } = *frame.settings;
         self.views.push(shadow_view(fitted_map(fit, warp, &input, &mut self.outline), place));
     }
@@ -210,7 +211,17 @@ impl<'a> Frame<'a> {
         let Self { camera, bounds, settings, reach } = *self;
         let is_shared = settings.select == Select::Map && !light_frustum.is_face();
         let flattens_casters = settings.flattens_casters();
-        ViewInput { camera, depths, light_frustum, resolution, bounds, reach, flattens_casters, is_shared }
+        ViewInput {
+            camera,
+            depths,
+            light_frustum,
+            resolution,
+            bounds,
+            reach,
+            flattens_casters,
+            has_bulb: false,
+            is_shared,
+        }
     }
 }
 

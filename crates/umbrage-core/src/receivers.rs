@@ -20,6 +20,8 @@ pub(crate) struct ViewInput<'a> {
     pub reach: Reach,
     /// Whether casters before the near plane are flattened onto it.
     pub flattens_casters: bool,
+    /// Whether nothing near the light casts: the map begins where its bulb ends.
+    pub has_bulb: bool,
     /// Whether receivers of other slices look here too, wherever the map covers them.
     pub is_shared: bool,
 }

@@ -109,7 +109,10 @@ mod tests {
             let text = refused.err().unwrap_or_else(|| panic!("{name} is no world"));
             assert!(!text.contains('\n') && !text.is_empty(), "{text}");
         }
-        let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"beside.bin"}]}"#;
+        let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"beside.bin"}],
+            "bufferViews":[{"buffer":0,"byteLength":36}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0}"#;
         let alone = Source::Bytes { name: "a.gltf".to_owned(), bytes: gltf.into() }.load();
         let text = alone.expect_err("its buffer is not there");
         assert!(text.contains("beside.bin") && text.contains("one .glb"), "{text}");

@@ -168,6 +168,7 @@ mod tests {
             bounds,
             reach: reach(&settings.filter, &settings.bias),
             flattens_casters: true,
+            has_bulb: false,
             is_shared: true,
         }
     }

@@ -34,7 +34,8 @@ fn on_grid(texel: Vec2) -> Vec2 {
     (texel * 16.0).round() / 16.0
 }
 
-/// For each storage and depth format, the largest difference between the GPU's filter and Rust's, and how many differ.
+/// For each storage and depth format, the largest difference between the GPU's filter and Rust's but for one place in ten
+/// thousand, where rounding may decide a comparison, and how many differ.
 fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
     let mut found = Vec::new();
     for (storage, depth) in [
@@ -74,11 +75,12 @@ fn compare_filters(filter: Filter, receiver_plane: bool) -> Vec<(f32, usize)> {
             let gpu = drawn.filter(view.index as u32, &places);
             let asker = Query { position: Vec3::ZERO, normal: Vec3::Y, pixel: Vec2::splat(0.5) };
             let cpu = places.iter().map(|place| lookup.filter(view, place, &asker));
-            let differences: Vec<f32> = gpu.iter().zip(cpu).map(|(gpu, cpu)| (gpu - cpu).abs()).collect();
+            let mut differences: Vec<f32> = gpu.iter().zip(cpu).map(|(gpu, cpu)| (gpu - cpu).abs()).collect();
+            differences.sort_by(f32::total_cmp);
             let lit = gpu.iter().filter(|v| **v > 0.5).count();
             assert!(lit > 1000 && lit < places.len() - 1000, "{lit} of {} are lit", places.len());
             found.push((
-                differences.iter().copied().fold(0.0, f32::max),
+                differences[differences.len() - 1 - differences.len() / 10_000],
                 differences.iter().filter(|d| **d > 0.0).count(),
             ));
         }

@@ -108,7 +108,7 @@ fn nothing_jumps_where_light_and_view_become_parallel_or_perpendicular() {
                     let share = wrong(&drawn, &queries, light);
                     println!("{warp:?} {what}, {sign} 1e{exponent}: {share:.4} wrong");
                     // A tenth aside, light skims the ground; from there on nothing may change but noise.
-                    let most = if exponent > -2.0 { 0.1 } else { 0.012 };
+                    let most = if exponent > -2.0 { 0.1 } else { 0.015 };
                     assert!(share < most, "{warp:?} {what}, 1e{exponent}: {share} wrong");
                 }
             }
