@@ -11,7 +11,7 @@ const UMBRAGE_NEAREST_COMPARED: f32 = 0.9999;
 /// the more the farther it is. Nothing that is stored lies beyond 0.
 fn umbrage_compare_depth(lookup: UmbrageLookup, texel: vec2f) -> f32 {
     let beside = texel - lookup.texel;
-    let bent = lookup.bend * max(length(beside) - UMBRAGE_OWN_TEXEL, 0.0);
+    let bent = lookup.bend * max(max(abs(beside.x), abs(beside.y)) - UMBRAGE_OWN_TEXEL, 0.0);
     let plane = lookup.compare_depth + dot(lookup.gradient, beside);
     return clamp(plane + bent, 0.0, max(lookup.compare_depth, UMBRAGE_NEAREST_COMPARED));
 }
