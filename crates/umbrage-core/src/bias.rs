@@ -30,7 +30,7 @@ pub struct BiasMetres {
     pub along_normal: f32,
     /// The distance toward the light, metres.
     pub toward_light: f32,
-    /// How much farther toward the light it is for each texel that a comparison lies beyond [`OWN_TEXEL`], metres.
+    /// How much farther toward the light it is for each texel that a comparison lies beyond 0.7 texels from it, metres.
     pub bend: f32,
 }
 
