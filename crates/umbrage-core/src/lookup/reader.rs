@@ -68,7 +68,7 @@ impl Reader<'_> {
         let Place { texel, compare_depth, gradient, bend, .. } = self.place;
         let beside = inside + 0.5 - texel;
         let plane = compare_depth + gradient.dot(beside);
-        let compared = (plane + bend * (beside.length() - OWN_TEXEL).max(0.0))
+        let compared = (plane + bend * (beside.abs().max_element() - OWN_TEXEL).max(0.0))
             .clamp(0.0, compare_depth.max(NEAREST_COMPARED));
         f32::from(u8::from(compared >= self.stored(inside)))
     }
