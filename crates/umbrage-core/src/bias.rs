@@ -34,7 +34,8 @@ pub struct BiasMetres {
     pub bend: f32,
 }
 
-/// A texel stores what lies up to so many texels from its centre: half of its diagonal.
+/// What is compared within so many texels of a receiver, along either axis, counts as its own texel, which stores what lies
+/// half a diagonal from its centre.
 pub(crate) const OWN_TEXEL: f32 = 0.7;
 
 /// The depth that each texel around a receiver is compared with.

@@ -257,6 +257,23 @@ mod tests {
     }
 
     #[test]
+    fn the_local_origin_is_the_worlds_own_where_that_is_near_and_else_a_corner_near_the_eye() {
+        let camera = perspective(0.1, 100.0);
+        assert_eq!(camera.local_origin(), DVec3::ZERO);
+        for far in [1e3, -2e5, 1e6f32] {
+            let mut moved = camera;
+            moved.world_from_view.w_axis += (Vec3::new(far, 0.0, -far)).extend(0.0);
+            let origin = moved.local_origin();
+            let seen = moved.relative_to(origin);
+            // A step of the lattice is 64 m here.
+            assert_eq!(origin % 64.0, DVec3::ZERO, "{origin}");
+            assert!(seen.eye().length() <= 0.9 * 64.0, "{} from {origin}", seen.eye());
+            assert_eq!(seen.eye().as_dvec3() + origin, moved.eye().as_dvec3(), "nothing is rounded");
+            assert_eq!(moved.relative_to(DVec3::ZERO), moved);
+        }
+    }
+
+    #[test]
     fn clip_depth_is_v2_reversed_and_agrees_with_the_matrix() {
         // V2: (n, f, z, reversed depth)
         for (n, f, z, reversed) in [

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::{DMat4, DVec3, Mat4, Vec2, Vec3, Vec4};
+use glam::{DMat4, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
 
 use crate::allocation::Tile;
 use crate::cull::ConvexVolume;
@@ -77,7 +77,7 @@ impl ShadowView {
         match self.rays {
             Rays::Parallel => {
                 local.w_axis = m * origin.extend(1.0);
-                if m.row(3) == glam::DVec4::W {
+                if m.row(3) == DVec4::W {
                     let grid = 128.0 * f64::from(self.tile.size);
                     local.w_axis.x = (local.w_axis.x * grid).round() / grid;
                     local.w_axis.y = (local.w_axis.y * grid).round() / grid;

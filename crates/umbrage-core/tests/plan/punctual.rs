@@ -286,3 +286,23 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_lamp_stores_depths_as_finely_wherever_it_stands_and_however_far_it_reaches() {
+    for (far, range) in [(0.0, 20.0), (500.0, 20.0), (3000.0, 2000.0), (1e5f32, f32::INFINITY)] {
+        let apex = Vec3::new(far, 4.0, -far);
+        let lens = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+        let camera = Camera::looking(apex + Vec3::Z * 9.0, apex, Vec3::Y, lens, 0.1, 200.0).unwrap();
+        let bounds = Bounds::of_world(apex - 100.0, apex + 100.0);
+        let light = Light::point(apex, range).unwrap();
+        let plan = plan(&camera, &[light], &bounds, &Settings::default()).unwrap();
+        for metres in [0.25, 2.0, 16.0] {
+            // On the axis of the face downward, where coordinates are exact in f32.
+            let point = apex - Vec3::Y * metres;
+            let clip = plan.views()[3].clip(point);
+            let exact = plan.views()[3].clip_from_world * point.as_dvec3().extend(1.0);
+            let (got, wanted) = (f64::from(clip.z / clip.w), exact.z / exact.w);
+            assert!((got / wanted - 1.0).abs() < 1e-6, "{metres} m below {apex}: {got}, not {wanted}");
+        }
+    }
+}

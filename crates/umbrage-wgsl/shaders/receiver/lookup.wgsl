@@ -35,7 +35,8 @@ struct UmbrageLookup {
     texel_metres: vec2f,
 }
 
-/// A texel stores what lies up to so many texels from its centre: half of its diagonal.
+/// What is compared within so many texels of a receiver counts as its own texel, which stores what lies half a diagonal from its
+/// centre.
 const UMBRAGE_OWN_TEXEL: f32 = 0.7;
 
 /// Where a receiver looks in a view, bias included. `world_normal` is the unit geometric normal.
