@@ -3,11 +3,15 @@
 //! Every length here is a small whole number of eighths and every move and scale a power of two, or a sum of a few, so that
 //! no position is rounded on the way: what differs, differs in how shadows are made.
 
-use glam::{Mat4, Vec2, Vec3};
+#[path = "common/boxes.rs"]
+mod boxes;
+
+use boxes::scene_of;
+use glam::{Mat4, Vec3};
 use umbrage::Settings;
 use umbrage_lab::{Laboratory, Shot, TruthKind};
 use umbrage_render::{Gpu, Renderer, Show};
-use umbrage_scene::{Camera, Instance, Light, Material, Mesh, Primitive, Scene};
+use umbrage_scene::{Camera, Instance, Light, Scene};
 
 /// The size of the pictures.
 const SIZE: (u32, u32) = (160, 90);
@@ -23,34 +27,6 @@ const MOVES: [Vec3; 4] = [
 /// Metres a unit: from half a millimetre to two kilometres.
 const SCALES: [f32; 4] = [1.0 / 2048.0, 1.0 / 64.0, 32.0, 2048.0];
 
-/// The axis-aligned box between two corners.
-fn cuboid(low: Vec3, high: Vec3) -> Primitive {
-    let mut primitive = Primitive::default();
-    for axis in 0..3 {
-        for side in [0, 1] {
-            let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-            let corner = |along_u: usize, along_v: usize| {
-                let mut p = low;
-                for (axis, far) in [(axis, side), (u, along_u), (v, along_v)] {
-                    p[axis] = if far == 1 { high[axis] } else { low[axis] };
-                }
-                p
-            };
-            let mut quad = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
-            if side == 0 {
-                quad.swap(1, 3);
-            }
-            let base = primitive.positions.len() as u32;
-            let normal = Vec3::AXES[axis] * if side == 1 { 1.0 } else { -1.0 };
-            primitive.positions.extend(quad);
-            primitive.normals.extend([normal; 4]);
-            primitive.uvs.extend([Vec2::ZERO; 4]);
-            primitive.indices.extend([0, 1, 2, 0, 2, 3].map(|i| base + i));
-        }
-    }
-    primitive
-}
-
 /// A court with a wall, a box and a pole under one light, `scale` metres a unit and `moved` from the origin.
 fn court(light: &Light, scale: f32, moved: Vec3) -> Scene {
     let boxes = [
@@ -59,8 +35,8 @@ fn court(light: &Light, scale: f32, moved: Vec3) -> Scene {
         ([2.0, 0.0, -1.0], [3.5, 1.5, 0.5]),
         ([-1.0, 0.0, 2.0], [-0.75, 4.0, 2.25]),
     ];
-    let at = |p: [f32; 3]| Vec3::from(p) * scale;
-    let primitives: Vec<Primitive> = boxes.into_iter().map(|(low, high)| cuboid(at(low), at(high))).collect();
+    let at = |p: [f32; 3]| p.map(|x| x * scale);
+    let boxes = boxes.map(|(low, high)| (at(low), at(high)));
     let carry = |pose: Mat4| {
         let (_, rotation, place) = pose.to_scale_rotation_translation();
         Mat4::from_rotation_translation(rotation, place * scale + moved)
@@ -70,20 +46,14 @@ fn court(light: &Light, scale: f32, moved: Vec3) -> Scene {
     let mut light = light.clone();
     light.world_from_light = carry(light.world_from_light);
     light.kind = scaled(light.kind, scale);
-    Scene {
-        name: "court".to_owned(),
-        meshes: vec![Mesh::new("court", &primitives)],
-        instances: vec![Instance::still(0, Mat4::from_translation(moved))],
-        materials: vec![Material::plain("grey", 0.5, 0.5, 0.5)],
-        cameras: vec![Camera {
-            world_from_camera: carry(camera.world_from_camera),
-            near: camera.near * scale,
-            far: camera.far * scale,
-            ..camera
-        }],
-        lights: vec![light],
-        ..Scene::default()
-    }
+    let camera = Camera {
+        world_from_camera: carry(camera.world_from_camera),
+        near: camera.near * scale,
+        far: camera.far * scale,
+        ..camera
+    };
+    let court = scene_of(&boxes, light, camera);
+    Scene { instances: vec![Instance::still(0, Mat4::from_translation(moved))], ..court }
 }
 
 fn scaled(kind: umbrage_scene::LightKind, scale: f32) -> umbrage_scene::LightKind {
