@@ -67,7 +67,7 @@ pub struct PlaceArgs {
     pub target: Option<Vec3>,
 }
 
-/// What casts shadows.
+/// These arguments say what casts shadows.
 #[derive(Clone, Debug, Default, Args)]
 pub struct CastArgs {
     /// Let nothing that is so called cast shadows: a node, a mesh, or a material; repeatable
@@ -117,7 +117,7 @@ pub struct WorldArgs {
     pub seed: u64,
 }
 
-/// How shadows are made: a preset, then a file over it, then single keys over that.
+/// These arguments say how shadows are made: a preset comes first, a file goes over it, and single keys go over that.
 #[derive(Debug, Args)]
 pub struct ShadowArgs {
     /// Named settings to start from (see `umbrage presets`)
@@ -131,10 +131,10 @@ pub struct ShadowArgs {
     pub set: Vec<String>,
 }
 
-/// How bright pictures are, and what the air is like.
+/// These arguments say how bright pictures are, and what the air is like.
 #[derive(Clone, Debug, Args)]
 pub struct LookArgs {
-    /// How much brighter than the scene asks for, stops: each doubles the light, -1 halves it
+    /// Make pictures so many stops brighter than the scene asks for, from -100 to 100: each stop doubles the light, -1 halves it
     #[arg(long, value_name = "STOPS", default_value_t = 0.0, value_parser = parse::stops, allow_negative_numbers = true)]
     pub exposure: f32,
     /// Expose for so much light, lux, instead of metering it from the scene: full sun 100000, an office 500

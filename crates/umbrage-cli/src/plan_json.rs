@@ -19,7 +19,7 @@ use crate::stages::{Stage, Stages};
 pub struct PlanJson<'a> {
     world: &'a str,
     triangles: usize,
-    /// Where in the world's file the scene's own origin is, metres; all points are measured from there.
+    /// The scene's own origin lies here in the coordinates of the world's file, metres; all points are measured from there.
     origin: [f64; 3],
     settings: &'a Settings,
     splits: &'a [f64],
@@ -33,7 +33,7 @@ pub struct PlanJson<'a> {
     bindings: BTreeMap<Stage, Vec<BindingJson>>,
     /// The bytes of `umbrage_frame`, in base64.
     frame: String,
-    /// How many times more texels a sun overhead needs than pixels there are: with these splits, and at the least.
+    /// A sun overhead needs so many texels for each pixel, 1 or more: with these splits, and at the least.
     storage_factor: f64,
     min_storage_factor: f64,
     texels: u64,

@@ -1,4 +1,4 @@
-//! How far does one texel of a shadow map reach on screen?
+//! This module says how far one texel of a shadow map reaches on screen, in pixels.
 //!
 //! Source: Lloyd et al., *Warping and Partitioning for Low Error Shadow Maps*, EGSR 2006, and *Logarithmic Perspective
 //! Shadow Maps*, 2008: m is the largest extent of a texel's image in pixels. 1 is one to one, more is too coarse.
@@ -33,11 +33,12 @@ const SMALLEST_SINE: f64 = 1e-9;
 /// The image of one texel on screen, an ellipse for a round texel. All of it is finite and more than zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TexelExtent {
-    /// How far the image reaches where it reaches farthest, in pixels a texel: Lloyd's m. More than 1 is under-sampled.
+    /// The image reaches so far where it reaches farthest, in pixels a texel, above 0: this is Lloyd's m. More than 1 is
+    /// under-sampled.
     pub largest: f64,
-    /// How far the image reaches across that, in pixels a texel. Less than 1 is over-sampled.
+    /// The image reaches so far across that, in pixels a texel, above 0. Less than 1 is over-sampled.
     pub smallest: f64,
-    /// How much the image covers, in square pixels a texel: `largest` times `smallest`.
+    /// The image covers so much, in square pixels a texel, above 0: `largest` times `smallest`.
     pub area: f64,
 }
 

@@ -30,7 +30,8 @@ pub struct BiasMetres {
     pub along_normal: f32,
     /// The distance toward the light, metres.
     pub toward_light: f32,
-    /// How much farther toward the light it is for each texel that a comparison lies beyond 0.7 texels from it, metres.
+    /// A comparison is moved so much farther toward the light for each texel that it lies beyond 0.7 texels from the
+    /// receiver, metres, 0 or more.
     pub bend: f32,
 }
 

@@ -117,7 +117,7 @@ impl Light {
         }
     }
 
-    /// How near to a punctual light nothing casts, metres; 0 unless [`Self::with_near`] has said more.
+    /// Returns the distance from a punctual light within which nothing casts, metres, 0 or more. The default is 0.
     pub fn near(&self) -> f32 {
         self.near
     }

@@ -37,7 +37,7 @@ pub struct ShadowView {
     /// Where its near plane lies along the light's axis, metres: from the apex of a punctual light, and from the world's
     /// origin for a sun.
     pub near_metres: f32,
-    /// How its rays run, and so how depth is stored and where its [local space](Self::clip_from_local) begins.
+    /// This says how its rays run, and so how depth is stored and where its [local space](Self::clip_from_local) begins.
     pub rays: Rays,
     /// A warp scales stored depth by a factor that is constant along each light ray; this is that factor as a linear
     /// function of NDC: at x, y it is dot(this, (x, y, 1)), at most 1 on the map, and 1 everywhere without a warp.

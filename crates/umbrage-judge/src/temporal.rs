@@ -18,7 +18,7 @@ pub struct Anchor {
     pub position: DVec3,
     /// The unit geometric normal, turned to the eye that chose the point.
     pub normal: DVec3,
-    /// How far rounding may have moved the surface along its normal, in metres; 0 where its place is exact.
+    /// Rounding may have moved the surface so far along its normal, in metres; 0 where its place is exact.
     pub lift: f64,
 }
 

@@ -12,7 +12,7 @@ use umbrage_scene::Scene;
 pub struct Triangles {
     /// The corners of each triangle, in world space.
     pub(crate) corners: Vec<[DVec3; 3]>,
-    /// How far rounding may have moved each triangle's plane along its normal, metres.
+    /// Rounding may have moved each triangle's plane so far along its normal, metres.
     pub(crate) rounding: Vec<f32>,
     /// Whether each triangle never moves.
     pub(crate) still: Vec<bool>,

@@ -26,7 +26,7 @@ pub struct Receiver {
     pub depth: f64,
     /// The index of the surface's triangle in [`World::triangles`].
     pub triangle: usize,
-    /// How far rounding may have moved the surface along its normal, in metres: a ray to the light begins as far off it.
+    /// Rounding may have moved the surface so far along its normal, in metres, 0 or more: a ray to the light begins as far off it.
     pub lift: f64,
     /// The sine of the angle by which rounding may have tilted the surface.
     pub tilt: f64,

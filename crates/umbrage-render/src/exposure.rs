@@ -1,4 +1,4 @@
-//! How bright pictures are: how much of the light in a scene is white on the screen.
+//! Exposure says how bright pictures are: how much of the light in a scene is white on the screen.
 //!
 //! Lights have the units of `KHR_lights_punctual`, lux and candela, and their numbers range from moonlight to noon. A picture
 //! is exposed for one illuminance: a white surface that is lit by so many lux has [`WHITE`] as its light, before the tone
@@ -8,7 +8,7 @@
 /// Says how bright a picture is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Exposure {
-    /// How much brighter than the exposure below, in stops: each doubles the light. From -100 to 100, beyond which it counts
+    /// Pictures are so much brighter than by the exposure below, in stops: each doubles the light. From -100 to 100, beyond which it counts
     /// as those; 0 where it is not a number. Default: 0.
     pub stops: f32,
     /// The illuminance that the picture is exposed for, lux; what the scene asks for where absent, which is the default.

@@ -26,7 +26,7 @@ pub struct Frame {
     pub samples: u32,
     /// What the picture shows.
     pub show: Show,
-    /// How bright shaded pictures are. Default: as the scene asks for.
+    /// The exposure says how bright shaded pictures are. The default is what the scene asks for.
     pub exposure: Exposure,
     /// Whether haze takes colour from what is far, in scenes with a sun. It is as thick as the world is small, so that a model
     /// looks the same at any scale. Default: it does.

@@ -1,4 +1,4 @@
-//! Where a scene's instances stand, on the device, relative to an origin near the eye. Renderers beside each other share it, so
+//! The device knows where a scene's instances stand, relative to an origin near the eye. Renderers beside each other share it, so
 //! it knows its own time and origin.
 
 use std::ops::Range;

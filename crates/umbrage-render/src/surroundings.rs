@@ -1,4 +1,4 @@
-//! What lies around a scene: where its points are to be metered, how thick its air is, and the picture that is its sky.
+//! Surroundings are what lies around a scene: where its points are to be metered, how thick its air is, and the picture that is its sky.
 
 use umbrage_scene::Scene;
 

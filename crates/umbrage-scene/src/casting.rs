@@ -1,4 +1,4 @@
-//! What casts no shadow because someone said so: instances, meshes and materials by their names.
+//! Some things cast no shadow because someone said so: instances, meshes and materials by their names.
 
 use crate::Scene;
 

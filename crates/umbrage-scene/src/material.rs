@@ -1,4 +1,4 @@
-//! What surfaces look like: the metallic-roughness material of glTF, and pictures of its numbers.
+//! Materials say what surfaces look like: they are the metallic-roughness material of glTF, and pictures of its numbers.
 //!
 //! Source: glTF 2.0, section 3.9, *Materials*, and the extensions `KHR_materials_emissive_strength`,
 //! `KHR_materials_specular` and `KHR_materials_unlit`.
@@ -14,11 +14,11 @@ pub struct Material {
     pub base_colour: Vec4,
     /// The index of the texture in [`crate::Scene::textures`]; `None` for a plain colour.
     pub texture: Option<usize>,
-    /// How much the surface is metal, 0 to 1: a metal reflects in its base colour, and scatters nothing.
+    /// The surface is metal to this share, 0 to 1: a metal reflects in its base colour, and scatters nothing.
     pub metallic: f32,
-    /// How rough the surface is, 0 (a mirror) to 1.
+    /// The surface is so rough, 0 (a mirror) to 1.
     pub roughness: f32,
-    /// How strongly a surface that is no metal reflects, 0 (not at all) to 1 (4 % of what comes head-on, as most things do).
+    /// A surface that is no metal reflects so strongly, 0 (not at all) to 1 (4 % of what comes head-on, as most things do).
     pub specular: f32,
     /// The light that the surface sends out by itself as linear RGB, candela a square metre, 0 or more.
     pub emission: Vec3,

@@ -28,7 +28,7 @@ pub struct Scene {
     pub exposed_for: Option<f32>,
     /// The picture of everything around the world; without one a plain sky is around it. No file of a scene has one.
     pub environment: Option<Environment>,
-    /// Where the scene's own origin lies in the file's coordinates, in metres; zero where the scene lies around the
+    /// The scene's own origin lies here in the file's coordinates, in metres; zero where the scene lies around the
     /// file's origin, which is the default. Everything else of the scene is measured from its own origin.
     pub origin: DVec3,
 }

@@ -64,7 +64,7 @@ shared_with_shaders! {
     }
 }
 
-/// What a frame stands in, beside its plan.
+/// The surroundings are what a frame stands in, beside its plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surroundings {
     /// The size of the maps' texture, texels.
@@ -89,7 +89,7 @@ impl FrameBytes {
         Frame::min_size().get() + u64::from(views.max(1) - 1) * View::SHADER_SIZE.get()
     }
 
-    /// What a shader calls `umbrage_frame`, as bytes.
+    /// Writes what a shader calls `umbrage_frame`, and returns its bytes.
     pub fn write(&mut self, plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings) -> &[u8] {
         let views = std::mem::take(&mut self.frame.views);
         self.frame = frame(plan, settings, surroundings, views);

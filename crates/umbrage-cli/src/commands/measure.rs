@@ -23,7 +23,7 @@ const SIZE: (u32, u32) = (640, 360);
 struct Report<'a> {
     #[serde(flatten)]
     measurement: &'a Measurement,
-    /// Where in the world's file the scene's own origin is, metres.
+    /// The scene's own origin lies here in the coordinates of the world's file, metres.
     origin: [f64; 3],
     /// The mean of every figure over the jittered cameras, and how far from the true mean it may be.
     #[serde(skip_serializing_if = "Option::is_none")]

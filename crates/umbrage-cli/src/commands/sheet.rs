@@ -20,7 +20,7 @@ const GAP: u32 = 8;
 /// Room for a line of letters, and how tall they are.
 const LINE: u32 = 20;
 const LETTERS: f32 = 16.0;
-/// How wide a letter is in the mean, as a share of its height; for where a reason's lines end.
+/// A letter is so wide in the mean, as a share of its height: a reason's lines end by it.
 const LETTER_WIDTH: f32 = 0.5;
 
 /// A file's name, and its picture or why there is none.

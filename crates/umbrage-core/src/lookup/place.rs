@@ -11,7 +11,8 @@ pub struct Place {
     pub compare_depth: f32,
     /// How much that depth grows from a texel to the next, to the right and downward.
     pub gradient: Vec2,
-    /// How much it also grows a texel in any direction, beyond the receiver's own texel, where the surface may bend.
+    /// The depth also grows by this a texel in any direction, beyond the receiver's own texel, where the surface may bend; 0
+    /// or more.
     pub bend: f32,
     /// The sides of a texel there across the light, to the right and downward, metres.
     pub texel_metres: Vec2,

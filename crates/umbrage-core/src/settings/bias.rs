@@ -18,7 +18,7 @@ pub struct Bias {
     /// How much deeper casters are drawn, in their own depth slopes a texel (`glPolygonOffset` factor), from -100 to 100.
     /// The default is 0.
     pub raster_slope: f32,
-    /// How far a lookup moves toward the light, from 0 to 1000 metres. The default is 0.
+    /// A lookup moves so far toward the light, from 0 to 1000 metres. The default is 0.
     pub constant: f32,
     /// How far a lookup moves toward the light, from 0 to 100 texels of the view, times the tangent of the angle between
     /// normal and light. The default is 0.
@@ -26,7 +26,7 @@ pub struct Bias {
     /// The largest tangent that counts for `slope` and `bend`, from 0 to 10000; it is 2 in opengl-tutorial 16
     /// (0.01 / 0.005). The default is 8.
     pub slope_limit: f32,
-    /// How far a receiver's surface is taken to bend away from its plane, toward the light, for each texel that a comparison
+    /// A receiver's surface is taken to bend so far from its plane, toward the light, for each texel that a comparison
     /// lies beside the receiver; from 0 to 100 texels of the view, over the cosine of the angle between normal and light.
     /// A comparison with the receiver's own texel counts as 0.7 texels away. The default is 0.5.
     pub bend: f32,

@@ -26,7 +26,7 @@ impl DepthFormat {
         }
     }
 
-    /// How much a stored depth may differ from the one that was drawn, of a range from 0 to 1, however small it is. Lookups
+    /// Returns how much a stored depth may differ from the one that was drawn, of a range from 0 to 1, however small it is. Lookups
     /// stand off by it, and by [`Self::rounding`].
     pub fn step(self) -> f32 {
         match self {
@@ -35,7 +35,7 @@ impl DepthFormat {
         }
     }
 
-    /// How much it may differ as a share of itself, or of the terms that it is the sum of: some roundings of an f32, in the
+    /// Returns how much it may differ as a share of itself, or of the terms that it is the sum of: some roundings of an f32, in the
     /// vertex shader, between the corners of a triangle, and in the lookup.
     pub fn rounding(self) -> f32 {
         4.0 * f32::EPSILON

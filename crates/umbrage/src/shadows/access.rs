@@ -45,7 +45,7 @@ impl Shadows {
         receiver(&self.key, group)
     }
 
-    /// What the text of [`Self::wgsl`] depends on.
+    /// Returns what the text of [`Self::wgsl`] depends on.
     pub fn key(&self) -> &ShaderKey {
         &self.key
     }
@@ -55,7 +55,7 @@ impl Shadows {
         &self.parts.receiver_layout.layout
     }
 
-    /// What a shader that asks for visibility reads.
+    /// Returns what a shader that asks for visibility reads.
     pub fn bind_group(&self) -> &wgpu::BindGroup {
         &self.parts.receiver_group
     }
@@ -70,7 +70,7 @@ impl Shadows {
         self.parts.bytes()
     }
 
-    /// How the maps lie in their texture; says how many texels and bytes they are.
+    /// Returns how the maps lie in their texture, which says how many texels and bytes they are.
     pub fn layout(&self) -> MapLayout {
         self.parts.maps.layout
     }
@@ -80,7 +80,7 @@ impl Shadows {
         &self.parts.maps.all
     }
 
-    /// What [`Self::upload`] writes, as the storage buffer `umbrage_frame` of [`map_wgsl`](crate::map_wgsl): for a shader of your own.
+    /// Returns what [`Self::upload`] writes, as the storage buffer `umbrage_frame` of [`map_wgsl`](crate::map_wgsl): for a shader of your own.
     pub fn frame(&self) -> &wgpu::Buffer {
         &self.parts.buffers.frame
     }

@@ -37,25 +37,25 @@ impl Data<'_> {
 
     /// An accessor that could be read.
     fn accessor(&self, index: Index<Accessor>) -> Result<&Accessor, Fault> {
-        if let Some(why) = self.broken.get(&("accessors", index.value())) {
-            return Err(Fault(format!("accessor {index} cannot be read, {why}")));
-        }
-        let count = self.root.accessors.len();
-        self.root
-            .accessors
-            .get(index.value())
-            .ok_or_else(|| Fault(format!("accessor {index} of {count} is not there")))
+        self.readable(&self.root.accessors, index.value(), ("accessors", "accessor"))
     }
 
     fn buffer_view(&self, index: Index<buffer::View>) -> Result<&buffer::View, Fault> {
-        if let Some(why) = self.broken.get(&("bufferViews", index.value())) {
-            return Err(Fault(format!("buffer view {index} cannot be read, {why}")));
+        self.readable(&self.root.buffer_views, index.value(), ("bufferViews", "buffer view"))
+    }
+
+    /// An object of a list that is there and could be read. The list has a name in the file, and its objects one for people.
+    fn readable<'a, T>(
+        &self,
+        list: &'a [T],
+        index: usize,
+        (listed, called): (&'static str, &str),
+    ) -> Result<&'a T, Fault> {
+        if let Some(why) = self.broken.get(&(listed, index)) {
+            return Err(Fault(format!("{called} {index} cannot be read, {why}")));
         }
-        let count = self.root.buffer_views.len();
-        self.root
-            .buffer_views
-            .get(index.value())
-            .ok_or_else(|| Fault(format!("buffer view {index} of {count} is not there")))
+        let missing = || Fault(format!("{called} {index} of {} is not there", list.len()));
+        list.get(index).ok_or_else(missing)
     }
 
     /// The bytes of a whole buffer view.
