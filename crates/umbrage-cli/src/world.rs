@@ -1,8 +1,10 @@
 //! Worlds, cameras and lights from the command line.
 
+use std::sync::Arc;
+
 use umbrage_lab::{LabError, Shot};
 use umbrage_render::{Frame, Show};
-use umbrage_scene::{Camera, Environment, Lens, Light, NoSuchName, Scene, Shining, load_environment};
+use umbrage_scene::{Camera, Environment, Lens, Light, NoSuchName, Pose, Scene, Shining, load_environment};
 
 use crate::args::{CastArgs, LookArgs, WorldArgs};
 use crate::failure::{Failure, Outcome};
@@ -73,8 +75,9 @@ pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> 
         return Err(Failure::usage(format!("--time must be finite, got {} s", args.time)));
     }
     let camera = camera(args, scene)?;
-    let lights = lights(args, scene, &camera)?;
-    let shot = Shot { camera, lights, seconds: args.time, width, height };
+    let pose = Arc::new(scene.pose(args.time));
+    let lights = lights(args, scene, &camera, &pose)?;
+    let shot = Shot { camera, lights, pose, width, height };
     // Whatever cannot be drawn is refused here, before any work is done.
     shot.frame(Show::World).map_err(Failure::usage)?;
     Ok(shot)
@@ -82,7 +85,7 @@ pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> 
 
 /// The lights that shine: a sun from the command line, or those of the world that it names, or all of them; the brightest
 /// where they are too many.
-fn lights(args: &WorldArgs, scene: &Scene, camera: &Camera) -> Outcome<Vec<Light>> {
+fn lights(args: &WorldArgs, scene: &Scene, camera: &Camera, pose: &Pose) -> Outcome<Vec<Light>> {
     if let Some(direction) = args.sun {
         // It is refused here, by the words that were given.
         umbrage::Light::directional(direction).map_err(Failure::usage)?;
@@ -92,7 +95,7 @@ fn lights(args: &WorldArgs, scene: &Scene, camera: &Camera) -> Outcome<Vec<Light
         [] => scene.lights.iter().collect(),
         _ => args.light.iter().map(|wanted| choose_light(wanted, &scene.lights)).collect::<Outcome<_>>()?,
     };
-    let Shining { mut lights, warnings } = Shining::choose(wanted, camera, args.time, umbrage::MAX_LIGHTS);
+    let Shining { mut lights, warnings } = Shining::choose(wanted, camera, pose, umbrage::MAX_LIGHTS);
     if lights.is_empty() {
         return Err(Failure::usage("this world has no light; give one with --sun X,Y,Z"));
     }

@@ -101,9 +101,11 @@ mod tests {
     #[test]
     fn a_world_that_was_built_elsewhere_answers_as_one_that_was_built_here() {
         let scene = worlds::build("knights", 0).expect("a world");
-        let here = World::new(&scene, 0.5);
-        let triangles = Triangles::from_bytes(&Triangles::of(&scene, 0.5).to_bytes()).expect("triangles");
-        assert_eq!(triangles, Triangles::of(&scene, 0.5));
+        let here = World::new(&scene, &umbrage_scene::Pose::at(0.5));
+        let triangles =
+            Triangles::from_bytes(&Triangles::of(&scene, &umbrage_scene::Pose::at(0.5)).to_bytes())
+                .expect("triangles");
+        assert_eq!(triangles, Triangles::of(&scene, &umbrage_scene::Pose::at(0.5)));
         let there = World::from_bytes(&World::build(triangles).to_bytes()).expect("a world");
         assert_eq!(here.triangles().len(), there.triangles().len());
         let rays = (0..2000).map(|i| {

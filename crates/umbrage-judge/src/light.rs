@@ -58,14 +58,14 @@ impl Light {
         Self::Sun { to_light: (-direction.as_dvec3()).normalize_or(DVec3::Y) }
     }
 
-    /// Makes the light that a scene describes, as it is at time 0.
+    /// Makes the light that a scene describes, as it is at rest.
     pub fn of(light: &umbrage_scene::Light) -> Self {
-        Self::at(light, 0.0)
+        Self::at(light, &umbrage_scene::Pose::default())
     }
 
-    /// Makes the light that a scene describes, as it is `seconds` after the scene's start.
-    pub fn at(light: &umbrage_scene::Light, seconds: f32) -> Self {
-        let world_from_light = light.world_from_light_at(seconds);
+    /// Makes the light that a scene describes, as it is in a pose of the scene.
+    pub fn at(light: &umbrage_scene::Light, pose: &umbrage_scene::Pose) -> Self {
+        let world_from_light = light.world_from_light_in(pose);
         let position = world_from_light.w_axis.truncate().as_dvec3();
         let along = -world_from_light.z_axis.truncate();
         // NaN is no distance.

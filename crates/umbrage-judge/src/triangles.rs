@@ -5,7 +5,7 @@
 //! triangle's normal moves its plane, and tilts it: a plane through y = 0 is exact however large it is.
 
 use glam::{DMat3, DVec3, Mat4, Vec3};
-use umbrage_scene::Scene;
+use umbrage_scene::{Pose, Scene};
 
 /// The triangles of a world in any order, before a BVH is built over them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,12 +24,12 @@ pub struct Triangles {
 pub(crate) const HALF_ULP: f64 = 1.0 / 16_777_216.0;
 
 impl Triangles {
-    /// Collects every triangle of a scene at `seconds` after its start.
-    pub fn of(scene: &Scene, seconds: f32) -> Self {
+    /// Collects every triangle of a scene in a pose.
+    pub fn of(scene: &Scene, pose: &Pose) -> Self {
         let mut all = Self { corners: Vec::with_capacity(scene.triangles()), ..Self::default() };
         for instance in &scene.instances {
             let mesh = &scene.meshes[instance.mesh];
-            let place = Place::new(&instance.world_from_mesh_at(seconds));
+            let place = Place::new(&instance.world_from_mesh_in(pose));
             for part in &mesh.parts {
                 let material = scene.materials.get(part.material);
                 let casts = instance.casts && material.is_none_or(|material| material.casts);
@@ -155,7 +155,7 @@ mod tests {
             uvs: vec![glam::Vec2::ZERO; count],
             indices: vec![0, 1, 2],
             material: 0,
-            colours: Vec::new(),
+            ..Primitive::default()
         };
         let at = |x: f32| Scene {
             meshes: vec![Mesh::new("m", std::slice::from_ref(&surface))],
@@ -163,7 +163,7 @@ mod tests {
             materials: vec![Material::plain("m", 1.0, 1.0, 1.0)],
             ..Scene::default()
         };
-        let (near, far) = (Triangles::of(&at(0.0), 0.0), Triangles::of(&at(1e6), 0.0));
+        let (near, far) = (Triangles::of(&at(0.0), &Pose::at(0.0)), Triangles::of(&at(1e6), &Pose::at(0.0)));
         assert_eq!(far.rounding, near.rounding);
         for (near, far) in near.corners[0].iter().zip(far.corners[0]) {
             assert!((far - DVec3::X * 1e6).distance(*near) < 1e-9, "{far}");

@@ -8,7 +8,7 @@ use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 use obvhs::ray::RayHit;
-use umbrage_scene::Scene;
+use umbrage_scene::{Pose, Scene};
 
 use crate::Ray;
 use crate::shadow_ray::ShadowRay;
@@ -55,9 +55,9 @@ impl obvhs::Boundable for Leaf<'_> {
 }
 
 impl World {
-    /// Makes the world of a scene at `seconds` after its start, with the BVH built on all cores.
-    pub fn new(scene: &Scene, seconds: f32) -> Self {
-        Self::build(Triangles::of(scene, seconds))
+    /// Makes the world of a scene in a pose, with the BVH built on all cores.
+    pub fn new(scene: &Scene, pose: &Pose) -> Self {
+        Self::build(Triangles::of(scene, pose))
     }
 
     /// Makes a world of triangles in world space that never move and cast shadows.

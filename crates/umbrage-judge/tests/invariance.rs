@@ -4,7 +4,7 @@
 use glam::{DVec3, Mat4, Vec2, Vec3};
 use proptest::prelude::*;
 use umbrage_judge::{Eye, Light, Pixel, Truth, World};
-use umbrage_scene::{Camera, Instance, Material, Mesh, Primitive, Scene};
+use umbrage_scene::{Camera, Instance, Material, Mesh, Pose, Primitive, Scene};
 
 /// A surface of these triangles.
 fn surface(triangles: &[[Vec3; 3]]) -> Primitive {
@@ -63,7 +63,7 @@ fn truth(places: &[Vec3], light: usize, scale: f32, shift: Vec3) -> Truth {
         1 => Light::sun(Vec3::new(0.8, -0.0035, 0.6)),
         _ => Light::Point { position: at(1.0, 3.0, -2.0).as_dvec3(), range: f64::INFINITY, near: 0.0 },
     };
-    let world = World::new(&scene(places, scale, shift), 0.0);
+    let world = World::new(&scene(places, scale, shift), &Pose::default());
     Truth::new(&world, &Eye::new(&moved, 96, 64), &light, f64::from(100.0 * scale))
 }
 
@@ -113,7 +113,7 @@ proptest! {
 fn a_floor_is_judged_at_any_angle_above_rounding() {
     for elevation in [1e-6f64, 1e-5, 1e-4, 1e-3, 0.02, 0.5] {
         let light = Light::Sun { to_light: DVec3::new(elevation.cos(), elevation.sin(), 0.0) };
-        let world = World::new(&scene(&[], 1.0, Vec3::ZERO), 0.0);
+        let world = World::new(&scene(&[], 1.0, Vec3::ZERO), &Pose::default());
         let camera = Camera::looking("c", Vec3::new(0.0, 4.0, 6.0), Vec3::ZERO, 1.0, 0.1, 100.0);
         let truth = Truth::new(&world, &Eye::new(&camera, 64, 64), &light, 100.0);
         assert_eq!(truth.count(Pixel::Ambiguous), 0, "elevation {elevation}");
@@ -124,7 +124,7 @@ fn a_floor_is_judged_at_any_angle_above_rounding() {
 
 #[test]
 fn a_surface_that_rounding_may_have_turned_away_is_ambiguous_and_counted() {
-    let world = World::new(&scene(&[], 1.0, Vec3::ZERO), 0.0);
+    let world = World::new(&scene(&[], 1.0, Vec3::ZERO), &Pose::default());
     let camera = Camera::looking("c", Vec3::new(0.0, 4.0, 6.0), Vec3::ZERO, 1.0, 0.1, 100.0);
     let of = |elevation: f64| {
         let light = Light::Sun { to_light: DVec3::new(elevation.cos(), elevation.sin(), 0.0) };
@@ -166,7 +166,7 @@ fn what_casts_nothing_is_seen_and_shadows_nothing() {
         scene.instances[1].casts = casts[0];
         scene.instances[0].casts = casts[1];
         scene.materials[0].casts = casts[2];
-        let world = World::new(&scene, 0.0);
+        let world = World::new(&scene, &Pose::default());
         let camera = Camera::looking("c", Vec3::new(3.0, 4.0, 6.0), Vec3::ZERO, 1.0, 0.1, 100.0);
         let truth = Truth::new(&world, &Eye::new(&camera, 64, 64), &Light::sun(Vec3::NEG_Y), 100.0);
         (truth.count(Pixel::Shadowed), truth.count(Pixel::Sky))
@@ -183,7 +183,7 @@ fn a_bulb_around_its_lamp_casts_nothing_within_the_lamps_near_distance() {
     let mut scene = scene(&[], 1.0, Vec3::ZERO);
     let bulb = Mat4::from_translation(Vec3::new(0.0, 2.0, 0.0)) * Mat4::from_scale(Vec3::splat(0.125));
     scene.instances.push(Instance::still(1, bulb));
-    let world = World::new(&scene, 0.0);
+    let world = World::new(&scene, &Pose::default());
     let camera = Camera::looking("c", Vec3::new(0.0, 1.5, 6.0), Vec3::ZERO, 0.8, 0.1, 100.0);
     let inside = DVec3::new(0.006, 2.05, 0.0);
     // The solid's corners are within 0.13 m of it.

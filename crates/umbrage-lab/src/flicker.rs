@@ -4,12 +4,14 @@
 //! that the picture's own pixels add no noise. Points outside the picture or its range of depth are left out for that frame;
 //! points that something hides are not, for the maps answer for them all the same.
 
+use std::sync::Arc;
+
 use glam::{Mat4, Vec3};
 use umbrage::Settings;
 use umbrage_judge::temporal::{Anchor, AnchorResult, Flicker, anchors, visibility};
 use umbrage_judge::{Eye, Light};
 use umbrage_render::{Point, Show};
-use umbrage_scene::{Camera, Instance, LightKind};
+use umbrage_scene::{Camera, Instance, LightKind, Scene};
 
 use crate::error::LabError;
 use crate::laboratory::Laboratory;
@@ -34,12 +36,13 @@ impl Laboratory<'_> {
     ) -> Result<Flicker, LabError> {
         self.use_settings(settings)?;
         let finest = self.finest_texel(shot)?;
-        let shots: Vec<Shot> = (0..watch.frames).map(|i| moved(shot, motion, i as f32, finest)).collect();
+        let shots: Vec<Shot> =
+            (0..watch.frames).map(|i| moved(self.scene(), shot, motion, i as f32, finest)).collect();
         let eyes: Vec<Eye> =
             shots.iter().map(|shot| Eye::new(&shot.camera, shot.width, shot.height)).collect();
         let light_of = |shot: &Shot| {
             let missing = || LabError::Missing { what: "light".to_owned(), world: shot.camera.name.clone() };
-            Ok::<_, LabError>(Light::at(shot.lights.first().ok_or_else(missing)?, shot.seconds))
+            Ok::<_, LabError>(Light::at(shot.lights.first().ok_or_else(missing)?, &shot.pose))
         };
         let missing =
             |what: &str| LabError::Missing { what: what.to_owned(), world: self.scene().name.clone() };
@@ -55,7 +58,7 @@ impl Laboratory<'_> {
         if motion == Motion::Sun && shot.lights.first().is_some_and(is_point) {
             return Err(missing("light that can turn"));
         }
-        let world = self.world_at(shot.seconds);
+        let world = self.world_in(&shot.pose);
         // Where the camera begins, is half-way, and ends.
         let thirds = [0, watch.frames / 2, watch.frames.saturating_sub(1)];
         let from: Vec<Eye> = thirds.into_iter().filter_map(|i| eyes.get(i).copied()).collect();
@@ -68,7 +71,7 @@ impl Laboratory<'_> {
             let known = truth.last().filter(|_| is_same).cloned();
             truth.push(match known {
                 Some(known) => known,
-                None => visibility(&self.world_at(shot.seconds), &light_of(shot)?, &anchors),
+                None => visibility(&self.world_in(&shot.pose), &light_of(shot)?, &anchors),
             });
         }
         Ok(Flicker::new(&result, &truth))
@@ -105,7 +108,7 @@ impl Laboratory<'_> {
 }
 
 /// The shot as it is in a frame of a path.
-fn moved(shot: &Shot, motion: Motion, frame: f32, finest_texel: f32) -> Shot {
+fn moved(scene: &Scene, shot: &Shot, motion: Motion, frame: f32, finest_texel: f32) -> Shot {
     let still = shot.clone();
     let camera = |aside: Vec3, yaw_degrees: f32| Shot {
         camera: carried(&shot.camera, aside, yaw_degrees),
@@ -122,7 +125,9 @@ fn moved(shot: &Shot, motion: Motion, frame: f32, finest_texel: f32) -> Shot {
             let lights = shot.lights.iter().map(|light| turned(light, (0.02 * frame).to_radians())).collect();
             Shot { lights, ..still }
         }
-        Motion::Objects => Shot { seconds: shot.seconds + frame / FRAMES_PER_SECOND, ..still },
+        Motion::Objects => {
+            Shot { pose: Arc::new(scene.pose(shot.pose.seconds + frame / FRAMES_PER_SECOND)), ..still }
+        }
     }
 }
 
@@ -161,20 +166,22 @@ mod tests {
             ..Camera::looking("c", Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 1.0, -10.0), 1.0, 0.1, 100.0)
         };
         let lights = vec![Light::sun(Vec3::NEG_Y, 1.0)];
-        let shot = Shot { camera, lights, seconds: 0.0, width: 16, height: 9 };
-        let eye = |motion| moved(&shot, motion, 100.0, 0.16).camera.eye();
+        let shot = Shot { camera, lights, pose: Arc::default(), width: 16, height: 9 };
+        let eye = |motion| moved(&Scene::default(), &shot, motion, 100.0, 0.16).camera.eye();
         let near = |a: Vec3, b: Vec3| assert!(a.distance(b) < 1e-3, "{a}, not {b}");
         near(eye(Motion::Translate), Vec3::new(5.0, 2.0, 0.0));
         near(eye(Motion::SubTexel), Vec3::new(1.0, 2.0, 0.0));
         near(eye(Motion::Fast), Vec3::new(0.0, 2.0, -100.0));
         near(eye(Motion::Yaw), Vec3::new(0.0, 2.0, 0.0));
-        let forward = moved(&shot, Motion::Yaw, 360.0, 0.1).camera.forward();
+        let forward = moved(&Scene::default(), &shot, Motion::Yaw, 360.0, 0.1).camera.forward();
         assert!(forward.x < -0.99, "a quarter turn to the left, forward is {forward}");
         for from in [Vec3::NEG_Y, Vec3::NEG_Z, Vec3::new(0.3, -0.8, 0.4)] {
             let lights = vec![Light::sun(from, 1.0)];
-            let sun = moved(&Shot { lights, ..shot.clone() }, Motion::Sun, 100.0, 0.1).lights[0].direction();
+            let sun = moved(&Scene::default(), &Shot { lights, ..shot.clone() }, Motion::Sun, 100.0, 0.1)
+                .lights[0]
+                .direction();
             assert!((sun.angle_between(from).to_degrees() - 2.0).abs() < 1e-2, "{from} became {sun}");
         }
-        assert!(moved(&shot, Motion::Objects, 60.0, 0.1).seconds == 1.0, "a second");
+        assert!(moved(&Scene::default(), &shot, Motion::Objects, 60.0, 0.1).pose.seconds == 1.0, "a second");
     }
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use umbrage::{Settings, ShadowPlan};
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
 use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, Rendered, Renderer, Show};
-use umbrage_scene::Scene;
+use umbrage_scene::{Pose, Scene};
 
 use crate::aliasing::Aliasing;
 use crate::error::LabError;
@@ -43,7 +43,7 @@ pub struct Laboratory<'a> {
     gpu: &'a Gpu,
     renderer: Renderer,
     /// The scene's triangles, at the time they were last needed.
-    world: Option<(f32, Arc<World>)>,
+    world: Option<(Arc<Pose>, Arc<World>)>,
     truths: Truths,
 }
 
@@ -98,7 +98,7 @@ impl<'a> Laboratory<'a> {
         let times = self.times(&frame, area, frames)?;
 
         let start = web_time::Instant::now();
-        let world = self.world_at(shot.seconds);
+        let world = self.world_in(&shot.pose);
         let distance = shadow_distance(&plan);
         let traced = self.truths.hard(shot, distance, &world);
         let smooth = self.truths.smooth(shot, distance, &world, kind);
@@ -151,7 +151,7 @@ impl<'a> Laboratory<'a> {
     /// Compares a judged picture of a shot with a truth between lit and shadowed, all lights together. `None` for the hard
     /// truth, and where no pixel is judged. What is traced is kept until another shot.
     pub fn deviation(&mut self, shot: &Shot, judged: &Judged, kind: TruthKind) -> Option<Deviation> {
-        let (world, distance) = (self.world_at(shot.seconds), shadow_distance(&judged.plan));
+        let (world, distance) = (self.world_in(&shot.pose), shadow_distance(&judged.plan));
         let traced = self.truths.hard(shot, distance, &world);
         let smooth = self.truths.smooth(shot, distance, &world, kind)?;
         let lights = traced.iter().zip(smooth.iter()).zip(&judged.visibility);
@@ -168,7 +168,7 @@ impl<'a> Laboratory<'a> {
         self.use_settings(settings)?;
         let Rendered { drawn, times: _ } = self.renderer.render(&shot.frame(Show::World)?)?;
         let plan = drawn.plan();
-        let world = self.world_at(shot.seconds);
+        let world = self.world_in(&shot.pose);
         let traced = self.truths.hard(shot, shadow_distance(plan), &world);
         let missing = || LabError::Missing { what: format!("light {light}"), world: self.scene.name.clone() };
         let Traced { truth, .. } = traced.get(light).ok_or_else(missing)?;
@@ -183,13 +183,13 @@ impl<'a> Laboratory<'a> {
         Ok(())
     }
 
-    /// The scene's triangles at a time.
-    pub(crate) fn world_at(&mut self, seconds: f32) -> Arc<World> {
-        if let Some((_, world)) = self.world.as_ref().filter(|(at, _)| *at == seconds) {
+    /// The scene's triangles in a pose.
+    pub(crate) fn world_in(&mut self, pose: &Arc<Pose>) -> Arc<World> {
+        if let Some((_, world)) = self.world.as_ref().filter(|(at, _)| at == pose) {
             return Arc::clone(world);
         }
-        let world = Arc::new(World::new(self.scene, seconds));
-        self.world = Some((seconds, Arc::clone(&world)));
+        let world = Arc::new(World::new(self.scene, pose));
+        self.world = Some((Arc::clone(pose), Arc::clone(&world)));
         world
     }
 

@@ -1,6 +1,7 @@
 //! Measures a run of an experiment.
 
 use std::io::Cursor;
+use std::sync::Arc;
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
@@ -56,14 +57,15 @@ fn shot(scene: &Scene, run: &Run) -> Result<Shot, LabError> {
     let named = scene.cameras.iter().find(|it| it.name == *camera);
     let camera = named.ok_or_else(|| missing(format!("camera called `{camera}`")))?;
     // The same for all repeats.
-    let Shining { lights, warnings: _ } = Shining::choose(&scene.lights, camera, 0.0, umbrage::MAX_LIGHTS);
+    let pose = Arc::new(scene.pose(0.0));
+    let Shining { lights, warnings: _ } = Shining::choose(&scene.lights, camera, &pose, umbrage::MAX_LIGHTS);
     if lights.is_empty() {
         return Err(missing("light".to_owned()));
     }
     Ok(Shot {
         camera: umbrage_judge::jittered(camera, *repeat),
         lights,
-        seconds: 0.0,
+        pose,
         width: *width,
         height: *height,
     })

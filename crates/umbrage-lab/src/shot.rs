@@ -1,7 +1,9 @@
 //! A picture to take: from where, when, how large, and by which lights.
 
+use std::sync::Arc;
+
 use umbrage_render::{Frame, RenderError, Show};
-use umbrage_scene::Camera;
+use umbrage_scene::{Camera, Pose};
 
 /// A shot is a picture to take.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,8 +12,8 @@ pub struct Shot {
     pub camera: Camera,
     /// The lights, at most 16. The shadows of each are judged.
     pub lights: Vec<umbrage_scene::Light>,
-    /// The time of the picture in seconds after the scene's start, for things that move.
-    pub seconds: f32,
+    /// How the scene stands: where what moves is, and how it is bent.
+    pub pose: Arc<Pose>,
     /// The width of the picture, in pixels.
     pub width: u32,
     /// The height of the picture, in pixels.
@@ -24,7 +26,7 @@ impl Shot {
     /// # Errors
     /// When the camera or a light cannot be used; the error names it.
     pub fn frame(&self, show: Show) -> Result<Frame, RenderError> {
-        let Self { camera, lights, seconds, width, height } = self;
-        Frame::of(camera, lights, *seconds, [*width, *height], show)
+        let Self { camera, lights, pose, width, height } = self;
+        Frame::of(camera, lights, pose, [*width, *height], show)
     }
 }

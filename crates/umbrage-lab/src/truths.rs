@@ -64,7 +64,7 @@ impl Truths {
         let last = known.unwrap_or_else(|| {
             let eye = Eye::new(&shot.camera, shot.width, shot.height);
             let trace = |light: &umbrage_scene::Light| {
-                let truth = Truth::new(world, &eye, &Light::at(light, shot.seconds), distance);
+                let truth = Truth::new(world, &eye, &Light::at(light, &shot.pose), distance);
                 Traced { edges: Edges::new(&truth), truth }
             };
             let hard = Arc::new(shot.lights.iter().map(trace).collect());

@@ -1,6 +1,8 @@
 //! Shadows of lights that have some size: drawn map by map and traced ray by ray, they are the same; and what is said of
 //! filters against such truths.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 use umbrage::{Filter, Settings};
 use umbrage_judge::Deviation;
@@ -21,7 +23,7 @@ fn shot(light: Light) -> Shot {
     let eye = Vec3::new(0.4, 3.0, -0.3);
     let lens = Lens::Orthographic { half_height: 4.0 };
     let camera = Camera { lens, ..Camera::looking("down", eye, eye - Vec3::Y, 1.0, 0.5, 4.0) };
-    Shot { camera, lights: vec![light], seconds: 0.0, width: 96, height: 96 }
+    Shot { camera, lights: vec![light], pose: Arc::default(), width: 96, height: 96 }
 }
 
 fn lights() -> [Light; 3] {

@@ -6,6 +6,8 @@
 #[path = "common/boxes.rs"]
 mod boxes;
 
+use std::sync::Arc;
+
 use boxes::scene_of;
 use glam::{Mat4, Vec3};
 use umbrage::Settings;
@@ -79,7 +81,7 @@ fn seen(gpu: &Gpu, scene: &Scene) -> (Vec<f32>, f64) {
     let shot = Shot {
         camera: camera.clone(),
         lights: scene.lights.clone(),
-        seconds: 0.0,
+        pose: Arc::default(),
         width: SIZE.0,
         height: SIZE.1,
     };

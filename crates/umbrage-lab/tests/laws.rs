@@ -6,13 +6,15 @@
 //! its length flips (7√2/30, 0.33, where it is diagonal). Whatever the judge says of a real map drawn on a real device
 //! must be that.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3, Mat4, Vec3};
 use umbrage::{Bias, Filter, Fit, Lookup, Settings, ShadowPlan};
 use umbrage_judge::temporal::{Anchor, AnchorResult, Flicker};
 use umbrage_judge::{Edges, Error, Eye, Light, ShadowResult, Truth, World};
 use umbrage_lab::{Laboratory, Motion, Shot, Watch};
 use umbrage_render::{Drawn, Frame, Gpu, Renderer, Show};
-use umbrage_scene::{Camera, Instance, Lens, Light as Lamp, Material, Mesh, Primitive, Scene, worlds};
+use umbrage_scene::{Camera, Instance, Lens, Light as Lamp, Material, Mesh, Pose, Primitive, Scene, worlds};
 
 /// Side of the picture, pixels, and of what it shows, metres.
 const PIXELS: u32 = 128;
@@ -27,9 +29,9 @@ fn half_plane(degrees: f32, distance: f32) -> Scene {
         positions: corners.to_vec(),
         normals: vec![Vec3::Y; 4],
         uvs: vec![glam::Vec2::ZERO; 4],
-        colours: Vec::new(),
         indices: vec![0, 1, 2, 0, 2, 3],
         material: 0,
+        ..Primitive::default()
     };
     let ground =
         [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)].map(|(x, z)| Vec3::new(x, 0.0, z) * 30.0);
@@ -66,7 +68,8 @@ fn settings(m: u32) -> Settings {
 
 fn frame(camera: &Camera, width: u32) -> Frame {
     let sun = Lamp::sun(Vec3::NEG_Y, 1.0);
-    Frame::of(camera, &[sun], 0.0, [width, width], Show::Visibility(0)).expect("a good camera and sun")
+    Frame::of(camera, &[sun], &Default::default(), [width, width], Show::Visibility(0))
+        .expect("a good camera and sun")
 }
 
 /// The angle of the map's texels to the x axis, degrees, and their size.
@@ -100,7 +103,7 @@ fn a_nearest_lookup_displaces_edges_by_a_quarter_of_a_texel() {
             for edge in 0..EDGES {
                 let scene = half_plane(angle + diagonal, (edge as f32 + 0.5) / EDGES as f32 * texel);
                 let mut renderer = Renderer::new(&gpu, &scene, stable(m)).expect("a renderer");
-                let world = World::new(&scene, 0.0);
+                let world = World::new(&scene, &Pose::default());
                 for i in 0..CAMERAS / m as usize {
                     let pixel = f64::from(METRES) / f64::from(PIXELS);
                     let share = |step: f64| (0.5 + step * i as f64).fract();
@@ -173,7 +176,7 @@ fn a_third_of_a_texel_flips_between_maps_that_lie_independently() {
                 anchors.iter().map(ask).collect()
             })
             .collect();
-        let world = World::new(&scene, 0.0);
+        let world = World::new(&scene, &Pose::default());
         let truth = umbrage_judge::temporal::visibility(&world, &Light::sun(Vec3::NEG_Y), &anchors);
         let flicker = Flicker::new(&result, &vec![truth; result.len()]);
         let ratio = flicker.flip_rate * band / f64::from(texel) / law;
@@ -190,7 +193,7 @@ fn stable_maps_never_flip_however_the_camera_moves() {
     let shot = Shot {
         camera: scene.cameras[0].clone(),
         lights: scene.lights.clone(),
-        seconds: 0.0,
+        pose: Arc::default(),
         width: 640,
         height: 360,
     };

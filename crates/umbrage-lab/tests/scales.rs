@@ -4,6 +4,8 @@
 #[path = "common/boxes.rs"]
 mod boxes;
 
+use std::sync::Arc;
+
 use boxes::scene_of;
 use glam::Vec3;
 use umbrage::{Bias, Settings};
@@ -20,8 +22,13 @@ fn error(scene: &Scene) -> Error {
 fn error_of(settings: &Settings, scene: &Scene) -> Error {
     let gpu = Gpu::new(None).expect("an adapter: run scripts/setup");
     let [camera] = &scene.cameras[..] else { panic!("one camera") };
-    let shot =
-        Shot { camera: camera.clone(), lights: scene.lights.clone(), seconds: 0.0, width: 240, height: 135 };
+    let shot = Shot {
+        camera: camera.clone(),
+        lights: scene.lights.clone(),
+        pose: Arc::default(),
+        width: 240,
+        height: 135,
+    };
     let mut laboratory = Laboratory::new(&gpu, scene).expect("a laboratory");
     let judged = laboratory.judge(&shot, settings, None, TruthKind::Hard, 0).expect("a measurement");
     judged.measurement.error.expect("pixels to judge")

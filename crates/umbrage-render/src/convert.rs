@@ -1,7 +1,7 @@
 //! From a scene's descriptions to what the planner wants.
 
 use umbrage::{Bounds, Camera, Projection};
-use umbrage_scene::Scene;
+use umbrage_scene::{Pose, Scene};
 
 use crate::draws::PartTable;
 use crate::error::RenderError;
@@ -18,7 +18,7 @@ pub fn camera(camera: &umbrage_scene::Camera, aspect: f32) -> Result<Camera, Ren
     Ok(Camera::new(camera.world_from_camera, projection, camera.near, camera.far)?)
 }
 
-/// Returns the boxes of everything in a scene, `seconds` after the start.
-pub fn bounds(scene: &Scene, seconds: f32) -> Bounds {
-    PartTable::new(scene).into_bounds_at(&scene.instances, seconds)
+/// Returns the boxes of everything in a scene, in a pose of it.
+pub fn bounds(scene: &Scene, pose: &Pose) -> Bounds {
+    PartTable::new(scene).into_bounds_in(&scene.instances, pose)
 }

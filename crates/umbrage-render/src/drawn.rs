@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 use umbrage::{Camera, ShadowPlan};
+use umbrage_scene::Pose;
 
 use crate::buffers::Growing;
 use crate::draws::{Draw, DrawLists};
@@ -47,7 +48,7 @@ pub(crate) struct Planned {
     /// What positions on the device are relative to, in world space.
     pub origin: DVec3,
     pub lights: Vec<FrameLight>,
-    pub seconds: f32,
+    pub pose: Arc<Pose>,
     pub size: [u32; 2],
     pub samples: u32,
     pub exposure: Exposure,

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::Mat4;
 use umbrage::{Aabb, Bounds, ConvexVolume};
-use umbrage_scene::{Instance, Scene};
+use umbrage_scene::{Instance, Pose, Scene};
 
 /// Every (part, instance) of a scene with its world box, ordered by mesh, mirroring, casting, part and instance.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub struct PartTable {
     boxes: Vec<Aabb>,
     /// What is planned for: all but skies.
     bounds: Bounds,
-    seconds: f32,
+    pose: Pose,
     /// Room for the matrices of instances that move.
     matrices: Vec<Option<Mat4>>,
 }
@@ -144,23 +144,24 @@ impl PartTable {
         }
         let (boxes, bounds) = (vec![Aabb::EMPTY; boxes], Bounds { world: Aabb::EMPTY, objects: Vec::new() });
         let matrices = Vec::with_capacity(scene.instances.len());
-        let mut table = Self { parts, boxes, bounds, seconds: 0.0, matrices };
-        table.place(&scene.instances, |instance| Some(instance.world_from_mesh));
+        let mut table = Self { parts, boxes, bounds, pose: scene.pose(0.0), matrices };
+        let pose = table.pose.clone();
+        table.place(&scene.instances, |instance| Some(instance.world_from_mesh_in(&pose)));
         table
     }
 
-    /// Moves what moves: boxes of dynamic instances, to where they are `seconds` after the start.
-    pub fn move_to(&mut self, instances: &[Instance], seconds: f32) {
-        if seconds != self.seconds {
-            self.seconds = seconds;
+    /// Moves what moves: boxes of dynamic instances, to where they are in a pose.
+    pub fn move_to(&mut self, instances: &[Instance], pose: &Pose) {
+        if *pose != self.pose {
+            self.pose.clone_from(pose);
             self.place(instances, |instance| {
-                instance.is_dynamic().then(|| instance.world_from_mesh_at(seconds))
+                instance.is_dynamic().then(|| instance.world_from_mesh_in(pose))
             });
         }
     }
 
     fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(&Instance) -> Option<Mat4>) {
-        let Self { parts, boxes, bounds, seconds: _, matrices } = self;
+        let Self { parts, boxes, bounds, pose: _, matrices } = self;
         matrices.clear();
         matrices.extend(instances.iter().map(world_from_mesh));
         bounds.objects.clear();
@@ -185,9 +186,9 @@ impl PartTable {
         &self.bounds
     }
 
-    /// Returns [`Self::bounds`] at a time, for planning without a renderer.
-    pub fn into_bounds_at(mut self, instances: &[Instance], seconds: f32) -> Bounds {
-        self.move_to(instances, seconds);
+    /// Returns [`Self::bounds`] in a pose, for planning without a renderer.
+    pub fn into_bounds_in(mut self, instances: &[Instance], pose: &Pose) -> Bounds {
+        self.move_to(instances, pose);
         self.bounds
     }
 
@@ -348,11 +349,11 @@ mod tests {
         scene.instances[1].motion = axis;
         let mut table = PartTable::new(&scene);
         let start = table.bounds().clone();
-        table.move_to(&scene.instances, 1.0);
+        table.move_to(&scene.instances, &Pose::at(1.0));
         let moved = table.bounds().clone();
         assert_ne!(moved, start);
-        assert_eq!(moved, PartTable::new(&scene).into_bounds_at(&scene.instances, 1.0));
-        table.move_to(&scene.instances, 0.0);
+        assert_eq!(moved, PartTable::new(&scene).into_bounds_in(&scene.instances, &Pose::at(1.0)));
+        table.move_to(&scene.instances, &Pose::at(0.0));
         assert_eq!(*table.bounds(), start);
     }
 }

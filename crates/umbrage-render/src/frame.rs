@@ -1,6 +1,9 @@
 //! What to draw: from where, when, what shines, and what of it a picture shows.
 
+use std::sync::Arc;
+
 use umbrage::Camera;
+use umbrage_scene::Pose;
 
 use crate::convert;
 use crate::error::RenderError;
@@ -16,8 +19,8 @@ pub struct Frame {
     pub planned_for: Option<Camera>,
     /// The lights that shine, 16 at most.
     pub lights: Vec<FrameLight>,
-    /// Seconds since the start, for things that move.
-    pub seconds: f32,
+    /// How the scene stands: where what moves is, and how it is bent.
+    pub pose: Arc<Pose>,
     /// Width, pixels.
     pub width: u32,
     /// Height, pixels.
@@ -64,25 +67,24 @@ pub enum Mark {
 }
 
 impl Frame {
-    /// Describes a picture of a scene's camera and lights as they are `seconds` after the start, `[width, height]` pixels
-    /// large: one sample a pixel, shadows planned for the camera that looks.
+    /// Describes a picture of a scene's camera and lights as they are in a pose, `[width, height]` pixels large: one sample a pixel, shadows planned for the camera that looks.
     ///
     /// # Errors
     /// When the camera or a light cannot be used.
     pub fn of(
         camera: &umbrage_scene::Camera,
         lights: &[umbrage_scene::Light],
-        seconds: f32,
+        pose: &Arc<Pose>,
         [width, height]: [u32; 2],
         show: Show,
     ) -> Result<Self, RenderError> {
         let camera = convert::camera(camera, width as f32 / height as f32)?;
-        let lights = lights.iter().map(|light| FrameLight::at(light, seconds)).collect::<Result<_, _>>()?;
+        let lights = lights.iter().map(|light| FrameLight::at(light, pose)).collect::<Result<_, _>>()?;
         Ok(Self {
             camera,
             planned_for: None,
             lights,
-            seconds,
+            pose: Arc::clone(pose),
             width,
             height,
             samples: 1,

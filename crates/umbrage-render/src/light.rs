@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use umbrage::Light;
-use umbrage_scene::LightKind;
+use umbrage_scene::{LightKind, Pose};
 
 use crate::error::RenderError;
 
@@ -18,12 +18,12 @@ pub struct FrameLight {
 }
 
 impl FrameLight {
-    /// Converts a scene's light as it is `seconds` after the start.
+    /// Converts a scene's light as it is in a pose.
     ///
     /// # Errors
     /// When it cannot shine: a direction without length, a spot of no angle, no range.
-    pub fn at(light: &umbrage_scene::Light, seconds: f32) -> Result<Self, RenderError> {
-        let world_from_light = light.world_from_light_at(seconds);
+    pub fn at(light: &umbrage_scene::Light, pose: &Pose) -> Result<Self, RenderError> {
+        let world_from_light = light.world_from_light_in(pose);
         let (position, direction) = (world_from_light.w_axis.truncate(), -world_from_light.z_axis.truncate());
         // NaN is no distance, and neither is one without end.
         let near = if light.near > 0.0 { light.near.min(f32::MAX) } else { 0.0 };

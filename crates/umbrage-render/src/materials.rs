@@ -107,6 +107,8 @@ fn gpu_material(material: &Material) -> GpuMaterial {
         roughness,
         specular,
         emission,
+        alpha: _,
+        transmission: _,
         unlit,
         casts: _,
         maps,

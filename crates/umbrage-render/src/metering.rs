@@ -64,7 +64,7 @@ pub fn metered_lux(scene: &Scene, lights: &[FrameLight]) -> f32 {
 impl Meter {
     /// Spreads points over a scene as it is at the start.
     pub fn new(scene: &Scene) -> Self {
-        let size = scene.bounds_at(0.0).size().length();
+        let size = scene.bounds_in(&scene.pose(0.0)).size().length();
         let eye = scene.cameras.first().map(|camera| Eye::new(camera, NEAREST * size));
         let pieces = pieces(scene, eye.as_ref());
         let total: f64 = pieces.iter().map(|(_, _, weight)| f64::from(*weight)).sum();

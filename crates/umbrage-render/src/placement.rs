@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use glam::{DVec3, Mat4};
-use umbrage_scene::Instance;
+use umbrage_scene::{Instance, Pose};
 
 use crate::buffers::{READ, binding, filled};
 use crate::error::RenderError;
@@ -26,7 +26,7 @@ pub(crate) struct Placement {
 /// What is in the buffer.
 #[derive(Debug)]
 struct Now {
-    seconds: f32,
+    pose: Pose,
     origin: DVec3,
     /// Room for the matrices of a run.
     matrices: Vec<[f32; 16]>,
@@ -42,7 +42,7 @@ impl Placement {
             instances: instances.to_vec(),
             buffer: filled(gpu, "instances", bytes, wgpu::BufferUsages::STORAGE)?,
             moving: runs(instances),
-            now: Mutex::new(Now { seconds: 0.0, origin: DVec3::ZERO, matrices }),
+            now: Mutex::new(Now { pose: Pose::default(), origin: DVec3::ZERO, matrices }),
         })
     }
 
@@ -51,15 +51,16 @@ impl Placement {
         binding(READ)
     }
 
-    /// Writes where the instances stand at a time, relative to `origin`, as far as they do not stand there.
-    pub fn move_to(&self, gpu: &Gpu, origin: DVec3, seconds: f32) {
+    /// Writes where the instances stand in a pose, relative to `origin`, as far as they do not stand there.
+    pub fn move_to(&self, gpu: &Gpu, origin: DVec3, pose: &Pose) {
         // Whoever died here left matrices that are written anew at another time.
         let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
         let is_at_origin = now.origin == origin;
-        if is_at_origin && now.seconds == seconds {
+        if is_at_origin && now.pose == *pose {
             return;
         }
-        (now.origin, now.seconds) = (origin, seconds);
+        now.origin = origin;
+        now.pose.clone_from(pose);
         if is_at_origin {
             self.moving.iter().for_each(|run| self.write(gpu, &mut now, run));
         } else {
@@ -68,9 +69,9 @@ impl Placement {
     }
 
     fn write(&self, gpu: &Gpu, now: &mut Now, run: &Range<usize>) {
-        let Now { seconds, origin, matrices } = now;
+        let Now { pose, origin, matrices } = now;
         matrices.clear();
-        let moved = self.instances[run.clone()].iter().map(|of| of.world_from_mesh_at(*seconds));
+        let moved = self.instances[run.clone()].iter().map(|of| of.world_from_mesh_in(pose));
         matrices.extend(moved.map(|matrix| relative(matrix, *origin).to_cols_array()));
         let offset = (run.start * size_of::<[f32; 16]>()) as u64;
         gpu.queue.write_buffer(&self.buffer, offset, bytemuck::cast_slice(matrices));

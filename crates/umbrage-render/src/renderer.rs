@@ -221,8 +221,8 @@ impl Renderer {
         let start = Instant::now();
         let Self { gpu, scene, parts, shadows, lights, .. } = self;
         let origin = frame.camera.local_origin();
-        scene.placement.move_to(gpu, origin, frame.seconds);
-        parts.move_to(&scene.placement.instances, frame.seconds);
+        scene.placement.move_to(gpu, origin, &frame.pose);
+        parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
         let make = || {
             Ok(Planned {
@@ -230,7 +230,7 @@ impl Renderer {
                 camera: frame.camera,
                 origin,
                 lights: Vec::new(),
-                seconds: 0.0,
+                pose: Arc::clone(&frame.pose),
                 size: [0, 0],
                 samples: 1,
                 exposure: Exposure::default(),
@@ -247,7 +247,7 @@ impl Renderer {
             shadows.replan(&mut planned.plan, planned_for, lights, parts.bounds())?;
             (planned.camera, planned.origin) = (frame.camera, origin);
             planned.lights.clone_from(&frame.lights);
-            planned.seconds = frame.seconds;
+            planned.pose = Arc::clone(&frame.pose);
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
             list(planned, parts, cull_parts);
@@ -306,7 +306,7 @@ impl Renderer {
         target: Arc<Target>,
     ) -> Result<Drawn, RenderError> {
         // A renderer beside this one may have moved the scene.
-        self.scene.placement.move_to(&self.gpu, planned.origin, planned.seconds);
+        self.scene.placement.move_to(&self.gpu, planned.origin, &planned.pose);
         let mut encoder = self.gpu.encoder("Renderer::shading");
         let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
         self.shading.record(inputs, &mut encoder, &self.timer, &planned, show, &target)?;

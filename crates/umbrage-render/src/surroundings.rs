@@ -26,7 +26,7 @@ pub(crate) struct Surroundings {
 
 impl Surroundings {
     pub fn new(gpu: &Gpu, scene: &Scene) -> Self {
-        let size = scene.bounds_at(0.0).size().length();
+        let size = scene.bounds_in(&scene.pose(0.0)).size().length();
         let haze = 1.0 / (HAZE_HALVES_AFTER * size);
         Self {
             meter: Meter::new(scene),

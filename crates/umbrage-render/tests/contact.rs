@@ -1,6 +1,8 @@
 //! Contact shadows against a closed form: a wall of no thickness on a floor, under a sun and under a point light, with a bias
 //! that is far too large.
 
+use std::sync::Arc;
+
 use glam::{Vec2, Vec3};
 use umbrage_render::umbrage::{Bias, Camera, Contact, Light, Projection, Settings};
 use umbrage_render::{Exposure, Frame, FrameLight, Gpu, Renderer, Show};
@@ -19,9 +21,9 @@ fn quad(corners: [Vec3; 4], normal: Vec3) -> Primitive {
         positions: corners.to_vec(),
         normals: vec![normal; 4],
         uvs: vec![Vec2::ZERO; 4],
-        colours: Vec::new(),
         indices: vec![0, 1, 2, 0, 2, 3],
         material: 0,
+        ..Primitive::default()
     }
 }
 
@@ -67,7 +69,7 @@ fn visibility(gpu: &Gpu, scene: &Scene, camera: Camera, light: Light, contact: O
         camera,
         planned_for: None,
         lights,
-        seconds: 0.0,
+        pose: Arc::default(),
         width: WIDTH,
         height: HEIGHT,
         samples: 1,

@@ -11,7 +11,8 @@ use umbrage_render::{Frame, Gpu, Mark, Picture, Rendered, Renderer, Show};
 use umbrage_scene::{Scene, load_glb_bytes, to_glb, worlds};
 
 fn frame(scene: &Scene, show: Show) -> Frame {
-    Frame::of(&scene.cameras[0], &scene.lights, 0.0, [320, 180], show).expect("a good camera and lights")
+    Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [320, 180], show)
+        .expect("a good camera and lights")
 }
 
 fn draw(gpu: &Gpu, scene: &Scene, settings: Settings, cull_parts: bool) -> (Rendered, Picture, MapTexels) {
@@ -118,7 +119,10 @@ fn moving_things_move_with_time_and_come_back() {
     let scene = worlds::build("brick-ground", 0).expect("a world");
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let mut at = |seconds| {
-        let drawn = renderer.render(&Frame { seconds, ..frame(&scene, Show::World) }).expect("a frame").drawn;
+        let drawn = renderer
+            .render(&Frame { pose: scene.pose(seconds).into(), ..frame(&scene, Show::World) })
+            .expect("a frame")
+            .drawn;
         drawn.picture().expect("a picture")
     };
     let (start, later, again) = (at(0.0), at(1.3), at(0.0));

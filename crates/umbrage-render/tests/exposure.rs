@@ -179,7 +179,8 @@ fn a_world_looks_the_same_at_every_scale() {
     let gpu = gpu();
     let world = worlds::build("primitives", 0).expect("a built-in world");
     let draw = |scene: &Scene, haze| {
-        let frame = Frame::of(&scene.cameras[0], &scene.lights, 0.0, [160, 90], Show::Unshadowed);
+        let frame =
+            Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [160, 90], Show::Unshadowed);
         picture(&gpu, scene, &Frame { haze, ..frame.expect("a good camera") })
     };
     let metres = draw(&world, true);
@@ -205,7 +206,8 @@ fn lamps_are_exposed_for_about_the_light_that_the_built_in_worlds_were_made_for(
     for world in worlds::ALL {
         let own = world.build(0);
         let scene = Scene { exposed_for: None, ..own.clone() };
-        let frame = Frame::of(&scene.cameras[0], &scene.lights, 0.0, [16, 9], Show::World).expect("a frame");
+        let frame = Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [16, 9], Show::World)
+            .expect("a frame");
         let lux = metered_lux(&scene, &frame.lights);
         println!("{}: {lux:.2} lux", world.name);
         // Suns of 3 lux, less where they are coloured, and lamps that give 2.6 lux where it matters, to a stop and a half.

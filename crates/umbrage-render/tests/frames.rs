@@ -3,6 +3,8 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use common::{from_above, gpu, plate};
 use glam::Vec3;
 use umbrage_render::umbrage::{Contact, Filter, Settings};
@@ -11,7 +13,8 @@ use umbrage_scene::{Light, worlds};
 
 /// A picture of a built-in world's first camera at a time.
 fn frame(scene: &umbrage_scene::Scene, seconds: f32, show: Show) -> Frame {
-    Frame::of(&scene.cameras[0], &scene.lights, seconds, [160, 90], show).expect("a camera and lights")
+    Frame::of(&scene.cameras[0], &scene.lights, &Arc::new(scene.pose(seconds)), [160, 90], show)
+        .expect("a camera and lights")
 }
 
 #[test]
@@ -27,7 +30,8 @@ fn a_frame_after_the_first_makes_nothing_on_the_device() {
         let path = |renderer: &mut Renderer, at: f32| {
             for show in &shows {
                 let still = frame(&scene, 0.0, show.clone());
-                let drawn = renderer.draw(&Frame { seconds: at, ..still }).expect("a frame");
+                let drawn =
+                    renderer.draw(&Frame { pose: Arc::new(scene.pose(at)), ..still }).expect("a frame");
                 drop(drawn);
             }
             gpu.wait().expect("a device");

@@ -14,7 +14,8 @@ fn world() -> Scene {
 }
 
 fn frame(scene: &Scene, show: Show) -> Frame {
-    Frame::of(&scene.cameras[0], &scene.lights[..1], 0.0, [160, 96], show).expect("a camera and a light")
+    Frame::of(&scene.cameras[0], &scene.lights[..1], &Default::default(), [160, 96], show)
+        .expect("a camera and a light")
 }
 
 fn read(gpu: &Gpu, texture: &wgpu::TextureView) -> Picture {

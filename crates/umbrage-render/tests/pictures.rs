@@ -24,8 +24,8 @@ const DIFFERENT: u8 = 24;
 fn draw(gpu: &Gpu, world: &str, show: Show) -> GrayImage {
     let scene = worlds::build(world, 0).expect("a built-in world");
     let (width, height) = (128, 72);
-    let frame =
-        Frame::of(&scene.cameras[0], &scene.lights, 0.0, [width, height], show).expect("a good camera");
+    let frame = Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [width, height], show)
+        .expect("a good camera");
     let mut renderer = Renderer::new(gpu, &scene, Settings::default()).expect("a renderer");
     let picture = renderer.render(&frame).expect("a frame").drawn.picture().expect("a picture");
     let grey = picture.rgba.as_chunks::<4>().0.iter().map(|[r, g, b, _]| {

@@ -32,7 +32,8 @@ fn the_maps_say_what_the_lookup_in_rust_says() {
         let scene = worlds::build(world, 0).expect("a world");
         let settings = Settings { filter: Filter::Bilinear {}, ..Settings::default() };
         let mut renderer = Renderer::new(&gpu, &scene, settings.clone()).expect("a renderer");
-        let frame = Frame::of(&scene.cameras[0], &scene.lights, 0.0, [160, 100], Show::Nothing);
+        let frame =
+            Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [160, 100], Show::Nothing);
         let drawn = renderer.render(&frame.expect("a good camera")).expect("a frame").drawn;
         assert_eq!(drawn.picture().expect("a picture").rgba.len(), 4, "no picture is drawn");
         let maps = renderer.maps(&drawn).expect("maps");

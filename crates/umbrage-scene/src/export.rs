@@ -43,6 +43,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         cameras,
         lights,
         path,
+        rig: _,
         exposed_for,
         origin,
         environment: _,

@@ -66,7 +66,7 @@ pub(crate) fn of_node(
     beside: Option<(&'static str, Value)>,
 ) -> Result<Extras, Fault> {
     let turn = match *motion {
-        Motion::Still => None,
+        Motion::Still | Motion::Node { .. } | Motion::Skin { .. } => None,
         Motion::Rotation { centre, axis, radians_per_second } => {
             let rotation = [
                 ("centre", list(origin, centre)?),

@@ -2,8 +2,8 @@
 
 use glam::{Mat4, Vec3};
 
-use crate::Motion;
 use crate::camera::world_from_looking;
+use crate::{Motion, Pose};
 
 /// A light of a scene, with its place and its motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,9 +97,9 @@ impl Light {
         }
     }
 
-    /// Returns where the light stands `seconds` after the start; exactly [`Self::world_from_light`] at 0.
-    pub fn world_from_light_at(&self, seconds: f32) -> Mat4 {
-        self.motion.moved(self.world_from_light, seconds)
+    /// Returns where the light stands in a pose; exactly [`Self::world_from_light`] at 0 s where no rig moves it.
+    pub fn world_from_light_in(&self, pose: &Pose) -> Mat4 {
+        self.motion.moved(self.world_from_light, pose)
     }
 
     /// Returns the unit direction in which the light shines at time 0, in world space.

@@ -22,12 +22,31 @@ pub struct Material {
     pub specular: f32,
     /// The light that the surface sends out by itself as linear RGB, candela a square metre, 0 or more.
     pub emission: Vec3,
+    /// What the alpha of the base colour does, which is the factor's times the texture's times the vertices'.
+    pub alpha: Alpha,
+    /// The share of light, 0 to 1, that goes through where the surface is (`KHR_materials_transmission`); 0 by default.
+    pub transmission: f32,
     /// Whether the surface shows its base colour whatever shines (`KHR_materials_unlit`); false by default.
     pub unlit: bool,
     /// Whether surfaces of the material cast shadows, where their instance does; true by default.
     pub casts: bool,
     /// The pictures of everything but the base colour.
     pub maps: Maps,
+}
+
+/// Alpha says how much of its place a surface covers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Alpha {
+    /// All of it, whatever its alpha is. This is the default.
+    #[default]
+    Opaque,
+    /// All of it where alpha is no less than the cut-off, and nothing elsewhere.
+    Mask {
+        /// The least alpha that covers. At 0 or below all is covered, above 1 mostly nothing.
+        cutoff: f32,
+    },
+    /// As much of it as alpha says, 0 (nothing) to 1 (all).
+    Blend,
 }
 
 /// The pictures that a material may have beside that of its base colour.
@@ -64,10 +83,27 @@ impl Material {
             roughness: 1.0,
             specular: 0.0,
             emission: Vec3::ZERO,
+            alpha: Alpha::Opaque,
+            transmission: 0.0,
             unlit: false,
             casts: true,
             maps: Maps::default(),
         }
+    }
+
+    /// Returns whether surfaces of the material cover all of their place: neither masks nor glass.
+    pub fn is_solid(&self) -> bool {
+        self.alpha == Alpha::Opaque && self.transmission <= 0.0
+    }
+
+    /// Returns how much of its place a surface covers where its base colour's alpha is `alpha`: 1 casts a whole shadow, 0 none.
+    pub fn coverage(&self, alpha: f32) -> f32 {
+        let covered = match self.alpha {
+            Alpha::Opaque => 1.0,
+            Alpha::Mask { cutoff } => f32::from(u8::from(alpha >= cutoff)),
+            Alpha::Blend => alpha.clamp(0.0, 1.0),
+        };
+        covered * (1.0 - self.transmission.clamp(0.0, 1.0))
     }
 
     /// Returns whether the material only scatters light, in its base colour and texture, as [`Self::plain`] does.
@@ -80,6 +116,8 @@ impl Material {
             roughness: _,
             specular,
             emission,
+            alpha: _,
+            transmission: _,
             unlit,
             casts: _,
             maps: Maps { metallic_roughness: _, normal, occlusion, emission: _ },

@@ -26,6 +26,10 @@ pub struct Mesh {
     /// The colours of the vertices as linear RGBA, each 0 to 1, with which base colours are multiplied; empty where all are
     /// white.
     pub colours: Vec<Vec4>,
+    /// Which joints of a skin bend each vertex, and how much; empty where nothing bends the mesh.
+    pub influences: Influences,
+    /// The shapes that the mesh can be morphed to.
+    pub targets: Vec<MorphTarget>,
     /// The vertices of the triangles, three each, counter-clockwise seen from outside; all are in range.
     pub indices: Vec<u32>,
     /// The parts of the mesh; their ranges follow each other and cover `indices`.
@@ -45,6 +49,26 @@ pub struct Part {
     pub bounds: Aabb,
 }
 
+/// Influences say which joints of a skin bend each vertex: as many joints for each, of which some may count for nothing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Influences {
+    /// The number of joints that each vertex has; 0 where nothing bends the mesh.
+    pub per_vertex: usize,
+    /// The joints of the first vertex, then of the next: indices of a skin's joints, all in range.
+    pub joints: Vec<u16>,
+    /// How much each of the joints counts, parallel to them. Those of a vertex are 0 or more, and sum to 1.
+    pub weights: Vec<f32>,
+}
+
+/// A morph target says how far each vertex moves where its weight is 1.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MorphTarget {
+    /// The displacements of the positions, in mesh space; as many as vertices.
+    pub positions: Vec<Vec3>,
+    /// The changes of the normals; as many as vertices.
+    pub normals: Vec<Vec3>,
+}
+
 /// A primitive is triangles of one material, before they are cut into parts.
 #[derive(Clone, Debug, Default)]
 pub struct Primitive {
@@ -56,10 +80,62 @@ pub struct Primitive {
     pub uvs: Vec<Vec2>,
     /// The colours of the vertices as linear RGBA, as many as positions; empty where all are white.
     pub colours: Vec<Vec4>,
+    /// Which joints bend each vertex; empty where nothing bends the primitive.
+    pub influences: Influences,
+    /// The shapes that the primitive can be morphed to.
+    pub targets: Vec<MorphTarget>,
     /// The vertices of the triangles, three each; all are in range.
     pub indices: Vec<u32>,
     /// The index of the material in [`crate::Scene::materials`].
     pub material: usize,
+}
+
+impl Influences {
+    /// Whether nothing bends the mesh.
+    pub fn is_empty(&self) -> bool {
+        self.per_vertex == 0
+    }
+
+    /// Returns the joints of a vertex, each with how much it counts.
+    pub fn of(&self, vertex: usize) -> impl Iterator<Item = (usize, f32)> + '_ {
+        let range = vertex * self.per_vertex..(vertex + 1) * self.per_vertex;
+        let joints = self.joints.get(range.clone()).unwrap_or_default();
+        let weights = self.weights.get(range).unwrap_or_default();
+        joints.iter().map(|joint| usize::from(*joint)).zip(weights.iter().copied())
+    }
+
+    /// Gives vertices that were added last their joints; all vertices have as many as the one with the most.
+    fn add(&mut self, others: &Self, before: usize, added: usize) {
+        let per_vertex = self.per_vertex.max(others.per_vertex);
+        if per_vertex == 0 {
+            return;
+        }
+        self.widen(per_vertex, before);
+        let mut others = others.clone();
+        others.widen(per_vertex, added);
+        self.joints.append(&mut others.joints);
+        self.weights.append(&mut others.weights);
+    }
+
+    /// Makes room for more joints a vertex, of which the new ones count for nothing. Vertices that had none follow the first
+    /// joint.
+    fn widen(&mut self, per_vertex: usize, vertices: usize) {
+        if self.per_vertex == per_vertex {
+            return;
+        }
+        let (mut joints, mut weights) = (vec![0; vertices * per_vertex], vec![0.0; vertices * per_vertex]);
+        for vertex in 0..vertices {
+            let (old, new) = (vertex * self.per_vertex, vertex * per_vertex);
+            match self.per_vertex {
+                0 => weights[new] = 1.0,
+                count => {
+                    joints[new..][..count].copy_from_slice(&self.joints[old..][..count]);
+                    weights[new..][..count].copy_from_slice(&self.weights[old..][..count]);
+                }
+            }
+        }
+        *self = Self { per_vertex, joints, weights };
+    }
 }
 
 impl Part {
@@ -72,12 +148,16 @@ impl Mesh {
     /// same parts, and cutting a mesh that was cut before changes nothing.
     pub fn new(name: &str, primitives: &[Primitive]) -> Self {
         let mut mesh = Self::empty(name);
-        for Primitive { positions, normals, uvs, colours, indices, material } in primitives {
+        for primitive in primitives {
+            let Primitive { positions, normals, uvs, colours, influences, targets, indices, material } =
+                primitive;
             let base = mesh.positions.len() as u32;
             mesh.positions.extend(positions);
             mesh.normals.extend(normals);
             mesh.uvs.extend(uvs);
             mesh.add_colours(colours);
+            mesh.influences.add(influences, base as usize, positions.len());
+            mesh.add_targets(targets, positions.len());
             mesh.add_triangles(
                 indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.map(|i| base + i)),
                 *material,
@@ -94,6 +174,8 @@ impl Mesh {
             normals: Vec::new(),
             uvs: Vec::new(),
             colours: Vec::new(),
+            influences: Influences::default(),
+            targets: Vec::new(),
             indices: Vec::new(),
             parts: Vec::new(),
             bounds: Aabb::EMPTY,
@@ -107,6 +189,23 @@ impl Mesh {
         }
         self.colours.resize(self.positions.len() - colours.len(), Vec4::ONE);
         self.colours.extend(colours);
+    }
+
+    /// Gives the vertices that were added last the shapes that they can be morphed to; where others have more, these stay.
+    /// Positions come first.
+    fn add_targets(&mut self, targets: &[MorphTarget], added: usize) {
+        let (before, vertices) = (self.positions.len() - added, self.positions.len());
+        let none = MorphTarget { positions: vec![Vec3::ZERO; before], normals: vec![Vec3::ZERO; before] };
+        let count = self.targets.len().max(targets.len());
+        self.targets.resize(count, none);
+        for (all, target) in self.targets.iter_mut().zip(targets) {
+            all.positions.extend(&target.positions);
+            all.normals.extend(&target.normals);
+        }
+        for all in &mut self.targets {
+            all.positions.resize(vertices, Vec3::ZERO);
+            all.normals.resize(vertices, Vec3::ZERO);
+        }
     }
 
     /// Cuts triangles of one material into parts. Their corners are vertices that the mesh already has, so several

@@ -2,6 +2,8 @@
 
 use glam::{Mat4, Vec3};
 
+use crate::Pose;
+
 /// The motion of an instance or a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Motion {
@@ -18,12 +20,31 @@ pub enum Motion {
         /// The angular velocity in radians a second, counter-clockwise seen against the axis.
         radians_per_second: f32,
     },
+    /// The thing moves with a node of the scene's rig; where it stands at time 0 counts for nothing.
+    Node {
+        /// The index of the node in [`Rig::nodes`](crate::Rig::nodes).
+        node: usize,
+        /// Where the thing stands in the node.
+        node_from_thing: Mat4,
+    },
+    /// The thing is a skinned mesh: it stands at the origin of its skin's first joint, unturned, and its joints do the rest
+    /// ([`Pose::joints`]).
+    Skin {
+        /// The index of the first joint in [`Rig::nodes`](crate::Rig::nodes).
+        node: usize,
+    },
 }
 
 impl Motion {
-    /// Returns where something stands `seconds` after the start, if it begins at `world_from_thing`; exactly there at 0.
-    pub fn moved(&self, world_from_thing: Mat4, seconds: f32) -> Mat4 {
+    /// Returns where something stands in a pose, if it begins at `world_from_thing`; exactly there at 0 s, unless it moves
+    /// with a rig.
+    pub fn moved(&self, world_from_thing: Mat4, pose: &Pose) -> Mat4 {
+        let seconds = pose.seconds;
         match *self {
+            Self::Node { node, node_from_thing } => {
+                (pose.world_from_node(node) * node_from_thing.as_dmat4()).as_mat4()
+            }
+            Self::Skin { node } => Mat4::from_translation(pose.place(node).as_vec3()),
             Self::Rotation { centre, axis, radians_per_second } if seconds != 0.0 => {
                 let rotation = Mat4::from_axis_angle(axis, radians_per_second * seconds);
                 Mat4::from_translation(centre) * rotation * Mat4::from_translation(-centre) * world_from_thing
@@ -47,15 +68,15 @@ mod tests {
     #[test]
     fn a_quarter_rotation_about_the_origin_takes_x_to_minus_z() {
         let start = Mat4::from_translation(Vec3::X);
-        assert_eq!(QUARTER_A_SECOND.moved(start, 0.0), start);
-        let moved = QUARTER_A_SECOND.moved(start, 1.0).transform_point3(Vec3::ZERO);
+        assert_eq!(QUARTER_A_SECOND.moved(start, &Pose::at(0.0)), start);
+        let moved = QUARTER_A_SECOND.moved(start, &Pose::at(1.0)).transform_point3(Vec3::ZERO);
         assert!((moved - Vec3::NEG_Z).length() < 1e-6, "{moved}");
     }
 
     #[test]
     fn what_is_still_stays() {
         let start = Mat4::from_translation(Vec3::X);
-        assert_eq!(Motion::Still.moved(start, 7.0), start);
+        assert_eq!(Motion::Still.moved(start, &Pose::at(7.0)), start);
     }
 
     #[test]
@@ -66,7 +87,10 @@ mod tests {
         };
         let carrier = Instance { motion: QUARTER_A_SECOND, ..Instance::still(0, light.world_from_light) };
         for seconds in [0.0, 0.5, 3.0] {
-            assert_eq!(light.world_from_light_at(seconds), carrier.world_from_mesh_at(seconds));
+            assert_eq!(
+                light.world_from_light_in(&Pose::at(seconds)),
+                carrier.world_from_mesh_in(&Pose::at(seconds))
+            );
         }
     }
 }

@@ -13,9 +13,8 @@ pub fn plate_over_ground(ground_metres: f32, height_metres: f32) -> Scene {
             .to_vec(),
         normals: vec![Vec3::Y; 4],
         uvs: vec![Vec2::ZERO; 4],
-        colours: Vec::new(),
         indices: vec![0, 1, 2, 0, 2, 3],
-        material: 0,
+        ..Primitive::default()
     };
     Scene {
         name: "plate".to_owned(),

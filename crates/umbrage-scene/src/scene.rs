@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Mat4};
 
-use crate::{Aabb, Camera, CameraPath, Environment, Light, Material, Mesh, Motion, Texture};
+use crate::{Aabb, Camera, CameraPath, Environment, Light, Material, Mesh, Motion, Pose, Rig, Texture};
 
 /// A scene is a whole world. Indices between its lists are always in range: the importer and the built-in worlds see to it.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +24,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// A flight through the world, for measurements over time.
     pub path: CameraPath,
+    /// What moves and bends instances as the file's animations say; empty where there is nothing of the kind.
+    pub rig: Rig,
     /// The illuminance that pictures of the world are to be exposed for, lux; `None` leaves it to whoever draws them.
     pub exposed_for: Option<f32>,
     /// The picture of everything around the world; without one a plain sky is around it. No file of a scene has one.
@@ -46,22 +48,35 @@ pub struct Instance {
     pub motion: Motion,
     /// Whether the instance casts shadows. It receives them whether or not.
     pub casts: bool,
+    /// The node of the scene's rig that the instance hangs on: it hides with it, and the node's weights are those of the
+    /// mesh's morph targets. `None` for what no animation concerns.
+    pub node: Option<usize>,
+    /// The skin of the scene's rig that bends the mesh, where there is one.
+    pub skin: Option<usize>,
 }
 
 impl Instance {
     /// Places a mesh that has no name, stands still and casts shadows.
     pub fn still(mesh: usize, world_from_mesh: Mat4) -> Self {
-        Self { name: String::new(), mesh, world_from_mesh, motion: Motion::Still, casts: true }
+        Self {
+            name: String::new(),
+            mesh,
+            world_from_mesh,
+            motion: Motion::Still,
+            casts: true,
+            node: None,
+            skin: None,
+        }
     }
 
-    /// Whether the instance moves with time.
+    /// Whether the instance may move, bend or hide with time.
     pub fn is_dynamic(&self) -> bool {
-        self.motion != Motion::Still
+        self.motion != Motion::Still || self.node.is_some() || self.skin.is_some()
     }
 
-    /// Returns where the instance stands `seconds` after the start; exactly [`Self::world_from_mesh`] at 0.
-    pub fn world_from_mesh_at(&self, seconds: f32) -> Mat4 {
-        self.motion.moved(self.world_from_mesh, seconds)
+    /// Returns where the instance stands in a pose; exactly [`Self::world_from_mesh`] at 0 s where no rig moves it.
+    pub fn world_from_mesh_in(&self, pose: &Pose) -> Mat4 {
+        self.motion.moved(self.world_from_mesh, pose)
     }
 }
 
@@ -71,10 +86,10 @@ impl Scene {
         self.instances.iter().map(|instance| self.meshes[instance.mesh].triangles()).sum()
     }
 
-    /// Returns the box around everything `seconds` after the start, in world space.
-    pub fn bounds_at(&self, seconds: f32) -> Aabb {
+    /// Returns the box around everything in a pose, in world space.
+    pub fn bounds_in(&self, pose: &Pose) -> Aabb {
         self.instances.iter().fold(Aabb::EMPTY, |sum, instance| {
-            sum.union(self.meshes[instance.mesh].bounds.transformed(&instance.world_from_mesh_at(seconds)))
+            sum.union(self.meshes[instance.mesh].bounds.transformed(&instance.world_from_mesh_in(pose)))
         })
     }
 }

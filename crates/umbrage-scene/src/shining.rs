@@ -8,7 +8,7 @@
 
 use glam::Vec3;
 
-use crate::{Camera, Light, LightKind};
+use crate::{Camera, Light, LightKind, Pose};
 
 /// The lights that shine in a picture, and what is to be said about the others.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Shining {
 }
 
 impl Shining {
-    /// Chooses at most `most` of some lights, as they are `seconds` after the start, for a picture of `camera`.
+    /// Chooses at most `most` of some lights, as they are in a pose, for a picture of `camera`.
     ///
     /// Lights that give no light are left out first: an intensity that is not above 0 or above [`Self::MAX_INTENSITY`], a
     /// black colour, a range that is not above 0, or a place that is not finite. Where no other is given, the first of
@@ -28,12 +28,12 @@ impl Shining {
     pub fn choose<'a>(
         lights: impl IntoIterator<Item = &'a Light>,
         camera: &Camera,
-        seconds: f32,
+        pose: &Pose,
         most: usize,
     ) -> Self {
         let (mut useful, mut dark) = (Vec::new(), Vec::new());
         for (place, light) in lights.into_iter().enumerate() {
-            match fault(light, seconds) {
+            match fault(light, pose) {
                 None => useful.push((place, light)),
                 Some(fault) => dark.push((light, fault)),
             }
@@ -49,13 +49,13 @@ impl Shining {
             ));
         }
         if useful.is_empty() {
-            let lights = dark.first().map(|(light, _)| unlit(light, seconds)).into_iter().collect();
+            let lights = dark.first().map(|(light, _)| unlit(light, pose)).into_iter().collect();
             return Self { lights, warnings };
         }
         if useful.len() > most {
             let mut order: Vec<(f64, usize, &Light)> = useful
                 .into_iter()
-                .map(|(place, light)| (illuminance(light, camera, seconds), place, light))
+                .map(|(place, light)| (illuminance(light, camera, pose), place, light))
                 .collect();
             order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
             let names = order[most..].iter().map(|(_, _, light)| format!("{:?}", light.name));
@@ -75,13 +75,13 @@ impl Shining {
 }
 
 /// Why a light gives no light, or `None` where it does.
-fn fault(light: &Light, seconds: f32) -> Option<String> {
+fn fault(light: &Light, pose: &Pose) -> Option<String> {
     let Light { name: _, world_from_light: _, colour, intensity, kind, near: _, motion: _ } = light;
     let (unit, range) = match *kind {
         LightKind::Directional => ("lx", f32::INFINITY),
         LightKind::Spot { inner: _, outer: _, range } | LightKind::Point { range } => ("cd", range),
     };
-    let at = light.world_from_light_at(seconds);
+    let at = light.world_from_light_in(pose);
     if !(*intensity > 0.0 && *intensity <= Shining::MAX_INTENSITY) {
         Some(format!("intensity {intensity:?} {unit}"))
     } else if !(colour.is_finite() && colour.min_element() >= 0.0 && *colour != Vec3::ZERO) {
@@ -97,24 +97,24 @@ fn fault(light: &Light, seconds: f32) -> Option<String> {
 }
 
 /// A light in the place of this one, as far as it has one, that gives no light.
-fn unlit(light: &Light, seconds: f32) -> Light {
+fn unlit(light: &Light, pose: &Pose) -> Light {
     let dark = Light { intensity: 0.0, ..light.clone() };
     let would_shine = Light { intensity: 1.0, colour: Vec3::ONE, ..light.clone() };
-    match fault(&would_shine, seconds) {
+    match fault(&would_shine, pose) {
         None => Light { colour: Vec3::ONE, ..dark },
         Some(_) => Light { name: dark.name, ..Light::sun(Vec3::NEG_Y, 0.0) },
     }
 }
 
 /// The illuminance at a camera, lux, as the head of this file says.
-fn illuminance(light: &Light, camera: &Camera, seconds: f32) -> f64 {
+fn illuminance(light: &Light, camera: &Camera, pose: &Pose) -> f64 {
     // Rec. 709.
     let luminance = light.colour.as_dvec3().dot(glam::DVec3::new(0.2126, 0.7152, 0.0722));
     let intensity = f64::from(light.intensity) * luminance;
     match light.kind {
         LightKind::Directional => intensity,
         LightKind::Spot { inner: _, outer: _, range } | LightKind::Point { range } => {
-            let position = light.world_from_light_at(seconds).w_axis.truncate();
+            let position = light.world_from_light_in(pose).w_axis.truncate();
             let from_eye = position.as_dvec3() - camera.eye().as_dvec3();
             let (depth, range) = (from_eye.dot(camera.forward().as_dvec3()), f64::from(range));
             let is_behind = depth + range <= f64::from(camera.near);
@@ -154,7 +154,7 @@ mod tests {
         // 0.1, 1, 0.25 and 2 lx at the camera.
         let sun = Light::sun(Vec3::NEG_Y, 2.0);
         let lights = [lamp("far", 10.0, 10.0), lamp("near", 2.0, 4.0), lamp("dim", 2.0, 1.0), sun];
-        let choose = |most| Shining::choose(&lights, &camera(), 0.0, most);
+        let choose = |most| Shining::choose(&lights, &camera(), &Pose::default(), most);
         assert_eq!(names(&choose(4)), ["far", "near", "dim", "sun"]);
         assert!(choose(4).warnings.is_empty(), "nothing is left out");
         assert_eq!(names(&choose(3)), ["near", "dim", "sun"]);
@@ -169,8 +169,10 @@ mod tests {
     fn what_ends_behind_the_camera_or_begins_beyond_its_sight_goes_first() {
         let of = |depth: f32, range| Light::point(&format!("{depth}"), Vec3::NEG_Z * depth, range, 100.0);
         let lights = [of(-5.0, 4.0), of(-5.0, 6.0), of(120.0, 10.0), of(120.0, 30.0), of(90.0, 1.0)];
-        let mut lights =
-            Shining::choose(&lights, &camera(), 0.0, 3).lights.into_iter().map(|l| (l.name, l.kind));
+        let mut lights = Shining::choose(&lights, &camera(), &Pose::default(), 3)
+            .lights
+            .into_iter()
+            .map(|l| (l.name, l.kind));
         let ranges = [("-5", 6.0), ("120", 30.0), ("90", 1.0)];
         assert!(
             lights.by_ref().eq(ranges.map(|(name, range)| (name.to_owned(), LightKind::Point { range })))
@@ -180,7 +182,7 @@ mod tests {
     #[test]
     fn lights_that_count_the_same_stay_in_the_order_of_the_file() {
         let lights: Vec<Light> = (0..40).map(|i| lamp(&i.to_string(), 3.0, 1.0)).collect();
-        let chosen = Shining::choose(&lights, &camera(), 0.0, 16);
+        let chosen = Shining::choose(&lights, &camera(), &Pose::default(), 16);
         assert_eq!(chosen.lights, lights[..16]);
         assert!(chosen.warnings[0].ends_with("and 16 more"), "{chosen:?}");
     }
@@ -202,7 +204,7 @@ mod tests {
             black,
             lamp("good", 4.0, 1.0),
         ];
-        let chosen = Shining::choose(&lights, &camera(), 0.0, 16);
+        let chosen = Shining::choose(&lights, &camera(), &Pose::default(), 16);
         assert_eq!(names(&chosen), ["good"]);
         let [line] = &chosen.warnings[..] else { panic!("one line, not {chosen:?}") };
         for said in [
@@ -218,23 +220,23 @@ mod tests {
             assert!(line.contains(said), "{said}: {line}");
         }
         for end in 1..8 {
-            let dark = Shining::choose(&lights[..end], &camera(), 0.0, 16);
+            let dark = Shining::choose(&lights[..end], &camera(), &Pose::default(), 16);
             assert_eq!((dark.lights.len(), dark.lights[0].intensity), (1, 0.0), "{dark:?}");
             assert!(dark.lights[0].world_from_light.is_finite() && dark.lights[0].name == "odd", "{dark:?}");
         }
-        let alone = Shining::choose(&lights[6..7], &camera(), 0.0, 16);
+        let alone = Shining::choose(&lights[6..7], &camera(), &Pose::default(), 16);
         assert!(
             alone.lights[0].world_from_light.is_finite() && alone.lights[0].intensity == 0.0,
             "{alone:?}"
         );
-        assert_eq!(Shining::choose(&[], &camera(), 0.0, 16), Shining::default());
+        assert_eq!(Shining::choose(&[], &camera(), &Pose::default(), 16), Shining::default());
     }
 
     #[test]
     fn ten_thousand_lights_are_chosen_from_in_a_moment() {
         let lights: Vec<Light> = (0..10_000).map(|i| lamp(&i.to_string(), 1.0 + i as f32, 1.0)).collect();
         let start = std::time::Instant::now();
-        let chosen = Shining::choose(lights.iter().rev(), &camera(), 0.0, 16);
+        let chosen = Shining::choose(lights.iter().rev(), &camera(), &Pose::default(), 16);
         assert!(start.elapsed().as_millis() < 1000, "{:?}", start.elapsed());
         let nearest: Vec<String> = (0..16).rev().map(|i| i.to_string()).collect();
         assert_eq!(names(&chosen), nearest);

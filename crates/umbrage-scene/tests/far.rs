@@ -135,7 +135,7 @@ proptest! {
         let scale = 10f64.powf(scale);
         let there = read(&court(moved, scale));
         let here = read(&court(DVec3::ZERO, scale));
-        let size = there.bounds_at(0.0).size().max_element();
+        let size = there.bounds_in(&there.pose(0.0)).size().max_element();
         // Everything is within a few sizes of the origin, so f32 of it is as exact as f32 of a court at the file's.
         let ulp = f64::from(size) * 8.0 * f64::from(f32::EPSILON) + moved.length() * f64::EPSILON * 4.0;
         for ((own, far), (_, near)) in places(&there).into_iter().zip(places(&here)) {
@@ -245,7 +245,7 @@ fn the_added_camera_and_the_origin_look_past_strays() {
         assert_eq!(scene.origin, alone.origin, "{stray}");
         let (camera, want) = (&scene.cameras[0], &alone.cameras[0]);
         assert_eq!((camera.world_from_camera, camera.near), (want.world_from_camera, want.near), "{stray}");
-        let far = scene.bounds_at(0.0);
+        let far = scene.bounds_in(&scene.pose(0.0));
         let corner = |i: usize| camera.eye().distance(if i == 0 { far.min } else { far.max });
         assert!(camera.far > corner(0).max(corner(1)), "{} behind {far:?}", camera.far);
         assert_eq!(scene.path.keys.last().map(|key| key.eye), alone.path.keys.last().map(|key| key.eye));

@@ -13,8 +13,10 @@ fn bits(scene: &Scene) -> Vec<String> {
     let matrix = |m: &Mat4| floats(&m.to_cols_array());
     let vector = |v: &Vec3| floats(&v.to_array());
     let mut bits = Vec::new();
-    for Mesh { name, positions, normals, uvs, colours, indices, parts, bounds } in &scene.meshes {
-        bits.push(format!("mesh {name:?} {indices:?} {parts:?} {bounds:?}"));
+    for Mesh { name, positions, normals, uvs, colours, indices, parts, bounds, influences, targets } in
+        &scene.meshes
+    {
+        bits.push(format!("mesh {name:?} {indices:?} {parts:?} {bounds:?} {influences:?} {targets:?}"));
         bits.extend(positions.iter().chain(normals).map(vector));
         bits.extend(uvs.iter().map(|uv| floats(&uv.to_array())));
         bits.extend(colours.iter().map(|colour| floats(&colour.to_array())));
@@ -24,10 +26,12 @@ fn bits(scene: &Scene) -> Vec<String> {
         Motion::Rotation { centre, axis, radians_per_second } => {
             vector(centre) + &vector(axis) + &floats(&[*radians_per_second])
         }
+        Motion::Node { node, node_from_thing } => format!("{node} {}", matrix(node_from_thing)),
+        Motion::Skin { node } => format!("{node}"),
     };
-    for Instance { name, mesh, world_from_mesh, motion, casts } in &scene.instances {
+    for Instance { name, mesh, world_from_mesh, motion, casts, node, skin } in &scene.instances {
         bits.push(format!(
-            "instance {name:?} {mesh} {} {} {casts}",
+            "instance {name:?} {mesh} {} {} {casts} {node:?} {skin:?}",
             matrix(world_from_mesh),
             movement(motion)
         ));
@@ -40,6 +44,8 @@ fn bits(scene: &Scene) -> Vec<String> {
         roughness,
         specular,
         emission,
+        alpha,
+        transmission,
         unlit,
         casts,
         maps,
@@ -47,7 +53,7 @@ fn bits(scene: &Scene) -> Vec<String> {
     {
         let numbers = floats(&[*metallic, *roughness, *specular, emission.x, emission.y, emission.z]);
         let base = floats(&base_colour.to_array());
-        bits.push(format!("material {name:?} {base} {texture:?} {numbers} {unlit} {casts} {maps:?}"));
+        bits.push(format!("material {name:?} {base} {texture:?} {numbers} {alpha:?} {transmission:?} {unlit} {casts} {maps:?}"));
     }
     bits.extend(scene.textures.iter().map(|texture| format!("{texture:?}")));
     for Camera { name, world_from_camera, lens, near, far } in &scene.cameras {
@@ -64,6 +70,7 @@ fn bits(scene: &Scene) -> Vec<String> {
     }
     bits.push(format!("{:?}", scene.exposed_for.map(f32::to_bits)));
     bits.extend(scene.path.keys.iter().map(|key| vector(&key.eye) + &vector(&key.target)));
+    bits.push(format!("{:?}", scene.rig));
     bits.push(format!("origin {}", scene.origin));
     bits
 }
@@ -111,6 +118,7 @@ fn primitive() -> impl Strategy<Value = Primitive> {
                 colours: vertices.iter().filter(|_| has_colours).map(|v| v.3).collect(),
                 indices: triangles.into_iter().flatten().map(|i| i % count).collect(),
                 material,
+                ..Primitive::default()
             }
         },
     )
@@ -134,6 +142,8 @@ fn instance() -> impl Strategy<Value = Instance> {
             world_from_mesh: pose * scale,
             motion,
             casts,
+            node: None,
+            skin: None,
         },
     )
 }
@@ -188,6 +198,8 @@ fn material(i: usize, textures: usize, (colour, [a, b, c, scale], light, has): N
         specular: if has[0] { 1.0 } else { c },
         emission: Vec3::from(light) * f32::from(u8::from(has[1])),
         unlit: has[2],
+        alpha: Alpha::Opaque,
+        transmission: 0.0,
         casts: i != 2,
         maps: Maps {
             metallic_roughness: map(has[3]),
@@ -227,6 +239,7 @@ fn scene() -> impl Strategy<Value = Scene> {
             path: CameraPath {
                 keys: path.into_iter().map(|(eye, target)| PathKey { eye, target }).collect(),
             },
+            rig: Rig::default(),
             environment: None,
             origin: DVec3::ZERO,
         },

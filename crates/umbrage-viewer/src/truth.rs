@@ -12,7 +12,7 @@ use eframe::egui;
 use umbrage::Settings;
 use umbrage_judge::{Tally, Triangles, World};
 use umbrage_render::{Frame, RenderError};
-use umbrage_scene::{Camera, Instance, Light, Scene};
+use umbrage_scene::{Camera, Instance, Light, Pose, Scene};
 
 use crate::bvh_build::BvhBuild;
 use crate::drawing::Drawing;
@@ -44,10 +44,10 @@ pub struct Figures {
 /// The comparison of a world's pictures with ray-traced shadows.
 #[derive(Default)]
 pub struct TruthOverlay {
-    /// The BVH of the world's triangles at a time, seconds.
-    bvh: Option<(f32, Arc<World>)>,
+    /// The BVH of the world's triangles in a pose.
+    bvh: Option<(Arc<Pose>, Arc<World>)>,
     /// The one that is being built.
-    building: Option<(f32, BvhBuild)>,
+    building: Option<(Arc<Pose>, BvhBuild)>,
     comparison: Option<Comparison>,
     is_tracing: bool,
 }
@@ -114,7 +114,7 @@ impl TruthOverlay {
     ) -> Result<(), RenderError> {
         // An error ends it.
         self.is_tracing = false;
-        self.is_tracing = match self.bvh_at(context, scene, shot.frame.seconds)? {
+        self.is_tracing = match self.bvh_at(context, scene, &shot.frame.pose)? {
             None => true,
             Some(bvh) => {
                 self.keep(shot);
@@ -130,23 +130,23 @@ impl TruthOverlay {
         &mut self,
         context: &egui::Context,
         scene: &Arc<Scene>,
-        seconds: f32,
+        pose: &Arc<Pose>,
     ) -> Result<Option<Arc<World>>, RenderError> {
         if let Some((at, task)) = &self.building {
-            let (at, Some(built)) = (*at, task.poll()) else { return Ok(None) };
+            let (at, Some(built)) = (Arc::clone(at), task.poll()) else { return Ok(None) };
             self.building = None;
             let bvh = built.and_then(|bvh| bvh).map_err(RenderError::Device)?;
             self.bvh = Some((at, Arc::new(bvh)));
         }
         // Where nothing moves, one BVH is that of all times.
         let moves = scene.instances.iter().any(Instance::is_dynamic);
-        let wanted = if moves { seconds } else { 0.0 };
+        let wanted = if moves { Arc::clone(pose) } else { Arc::default() };
         if let Some((_, bvh)) = self.bvh.as_ref().filter(|(at, _)| *at == wanted) {
             return Ok(Some(Arc::clone(bvh)));
         }
-        let scene = Arc::clone(scene);
+        let (scene, pose) = (Arc::clone(scene), Arc::clone(pose));
         let what = format!("building a BVH of {} triangles", scene.triangles());
-        let task = BvhBuild::start(what, context, move || Triangles::of(&scene, seconds));
+        let task = BvhBuild::start(what, context, move || Triangles::of(&scene, &pose));
         self.building = Some((wanted, task));
         self.comparison = None;
         Ok(None)

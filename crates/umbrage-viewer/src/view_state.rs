@@ -1,5 +1,7 @@
 //! What the picture depends on beside the world: camera, time, settings and what is drawn. It outlives a lost device.
 
+use std::sync::Arc;
+
 use umbrage::Settings;
 use umbrage_render::{Exposure, Frame, MapLook, Mark, RenderError, Show};
 use umbrage_scene::{Camera, Light, LightKind, Scene, Shining};
@@ -140,7 +142,7 @@ impl ViewState {
 
     /// Returns which of the world's lights shine, at most [`umbrage::MAX_LIGHTS`], and what is to be said about the others.
     pub fn shining(&self, scene: &Scene) -> Shining {
-        Shining::choose(&scene.lights, &self.camera(), self.seconds, umbrage::MAX_LIGHTS)
+        Shining::choose(&scene.lights, &self.camera(), &scene.pose(self.seconds), umbrage::MAX_LIGHTS)
     }
 
     /// Returns the lights that shine, with the sun where the chosen hour puts it.
@@ -174,7 +176,13 @@ impl ViewState {
     /// When a camera or a light cannot be one of the renderer's.
     pub fn frame(&self, scene: &Scene, [width, height]: [u32; 2]) -> Result<Frame, RenderError> {
         let lights = self.lights(scene);
-        let frame = Frame::of(&self.camera(), &lights, self.seconds, [width, height], Show::World)?;
+        let frame = Frame::of(
+            &self.camera(),
+            &lights,
+            &Arc::new(scene.pose(self.seconds)),
+            [width, height],
+            Show::World,
+        )?;
         let frozen = self.frozen_camera.as_ref();
         let planned_for =
             frozen.map(|camera| umbrage_render::camera(camera, width as f32 / height as f32)).transpose()?;
@@ -190,7 +198,7 @@ pub fn is_sun(light: &Light) -> bool {
 
 /// A flight that starts at a camera, the scene's first where none is given, and looks as far as the scene's middle.
 fn flight_at(scene: &Scene, camera: Option<&Camera>) -> Flight {
-    let bounds = scene.bounds_at(0.0);
+    let bounds = scene.bounds_in(&scene.pose(0.0));
     let middle = (bounds.min + bounds.max) * 0.5;
     let fallback = Camera::looking("camera", bounds.max, middle, 1.0, 0.1, 1000.0);
     let camera = camera.or(scene.cameras.first()).unwrap_or(&fallback);

@@ -1,5 +1,7 @@
 //! `umbrage bench`: frame times along the world's path.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 use umbrage::{Camera, Settings};
 use umbrage_judge::statistics::Spread;
@@ -115,7 +117,8 @@ pub fn run(args: &BenchArgs) -> Outcome {
 
 /// The frame at a share of the way: the camera moves unless the command line says where it is.
 fn along_path(shot: &Shot, scene: &Scene, args: &BenchArgs, share: f32) -> Outcome<Frame> {
-    let shot = Shot { seconds: shot.seconds + share * PATH_SECONDS, ..shot.clone() };
+    let pose = Arc::new(scene.pose(shot.pose.seconds + share * PATH_SECONDS));
+    let shot = Shot { pose, ..shot.clone() };
     let frame = Frame { samples: args.samples, ..shot.frame(Show::World)? };
     let is_placed = args.world.place.camera.is_some() || args.world.place.eye.is_some();
     let Some(world_from_camera) = scene.path.world_from_camera(share).filter(|_| !is_placed) else {

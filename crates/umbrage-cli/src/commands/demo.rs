@@ -3,6 +3,8 @@
 //! A column a technique: the picture; where it is wrong; which map serves what; the shadow maps; what they cost.
 //! The last column is exact.
 
+use std::sync::Arc;
+
 use anyhow::Context as _;
 use image::RgbaImage;
 use umbrage::{LightKind, Preset, ShadowPlan};
@@ -108,12 +110,13 @@ pub fn run(args: &DemoArgs) -> Outcome {
 /// The world's first camera and its lights.
 fn main_shot(scene: &Scene) -> Outcome<Shot> {
     let camera = scene.cameras.first().context("this world has no camera")?.clone();
-    let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, 0.0, umbrage::MAX_LIGHTS);
+    let pose = Arc::new(scene.pose(0.0));
+    let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, &pose, umbrage::MAX_LIGHTS);
     world::warn(&warnings);
     if lights.is_empty() {
         return Err(Failure::usage("this world has no light; `umbrage render` takes one as --sun X,Y,Z"));
     }
-    Ok(Shot { camera, lights, seconds: 0.0, width: WIDTH, height: HEIGHT })
+    Ok(Shot { camera, lights, pose, width: WIDTH, height: HEIGHT })
 }
 
 fn column(

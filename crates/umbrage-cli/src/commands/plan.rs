@@ -13,7 +13,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::open(&args.world)?;
     let frame = world::frame(&world::shot(&args.world, &scene, world::PICTURE)?, Show::World)?;
-    let bounds = umbrage_render::bounds(&scene, frame.seconds);
+    let bounds = umbrage_render::bounds(&scene, &frame.pose);
     let lights: Vec<Light> = frame.lights.iter().map(|light| light.light).collect();
     let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::usage)?;
     match &args.json {

@@ -57,8 +57,9 @@ fn dark(experiment: &Experiment, scenes: &BTreeMap<String, Scene>) -> BTreeSet<S
     let is_used = |camera: &&Camera| experiment.cameras.contains(&camera.name);
     let shots =
         scenes.values().flat_map(|scene| scene.cameras.iter().filter(is_used).map(move |c| (scene, c)));
-    let warnings = shots.flat_map(|(Scene { name, lights, .. }, camera)| {
-        let shining = Shining::choose(lights, camera, 0.0, umbrage::MAX_LIGHTS);
+    let warnings = shots.flat_map(|(scene, camera)| {
+        let Scene { name, lights, .. } = scene;
+        let shining = Shining::choose(lights, camera, &scene.pose(0.0), umbrage::MAX_LIGHTS);
         shining.warnings.into_iter().map(move |warning| format!("{name}: {warning}"))
     });
     warnings.collect()

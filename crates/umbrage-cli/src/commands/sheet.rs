@@ -3,6 +3,7 @@
 //! A file that cannot be drawn has its reason in its place: one bad file spoils no sheet.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use image::{ExtendedColorType, RgbaImage};
 use umbrage::Settings;
@@ -64,11 +65,12 @@ fn draw(gpu: &Gpu, file: &str, (width, height): (u32, u32)) -> Outcome<RgbaImage
         eprintln!("warning: {warning}: {file}");
     }
     let camera = scene.cameras.first().cloned().ok_or_else(|| Failure::usage("there is no camera"))?;
-    let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, 0.0, umbrage::MAX_LIGHTS);
+    let pose = Arc::new(scene.pose(0.0));
+    let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, &pose, umbrage::MAX_LIGHTS);
     for warning in warnings {
         eprintln!("warning: {warning}: {file}");
     }
-    let shot = Shot { camera, lights, seconds: 0.0, width, height };
+    let shot = Shot { camera, lights, pose, width, height };
     let frame = Frame { samples: 4, ..shot.frame(Show::World).map_err(Failure::usage)? };
     let mut renderer = Renderer::new(gpu, &scene, Settings::default())?;
     let picture = renderer.render(&frame)?.drawn.picture()?;

@@ -32,7 +32,7 @@ pub fn markdown() -> String {
 }
 
 fn row(world: &World, scene: &Scene) -> String {
-    let size = scene.bounds_at(0.0).size();
+    let size = scene.bounds_in(&scene.pose(0.0)).size();
     let moving = scene.instances.iter().filter(|instance| instance.is_dynamic()).count();
     format!(
         "| [`{0}`](#{0}) | {1} | {2} × {3} × {4} | {5} | {moving} |\n",
@@ -85,7 +85,7 @@ fn lights(scene: &Scene) -> String {
     let counts: Vec<String> = counts.into_iter().map(text).collect();
     let turns = scene.lights.iter().find_map(|light| match light.motion {
         Motion::Rotation { radians_per_second, .. } => Some(TAU / radians_per_second.abs()),
-        Motion::Still => None,
+        Motion::Still | Motion::Node { .. } | Motion::Skin { .. } => None,
     });
     counts.join(", ") + &turns.map_or_else(String::new, |seconds| format!(", turning in {seconds:.0} s"))
 }

@@ -1,5 +1,7 @@
 //! Lights of some size, drawn as many frames with a light of none.
 
+use std::sync::Arc;
+
 use web_time::Instant;
 
 use super::Renderer;
@@ -37,6 +39,7 @@ impl Renderer {
                 show: Show::Visibility(0),
                 camera: frame.camera,
                 planned_for: None,
+                pose: Arc::clone(&frame.pose),
                 ..*frame
             };
             let rendered = self.render(&moved)?;

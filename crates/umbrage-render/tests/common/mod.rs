@@ -22,5 +22,6 @@ pub fn from_above(light: &Light, show: Show) -> Frame {
     let eye = Vec3::new(0.3, 2.0, -0.2);
     let lens = Lens::Orthographic { half_height: 0.5 * METRES };
     let camera = Camera { lens, ..Camera::looking("down", eye, eye - Vec3::Y, 1.0, 0.5, 3.0) };
-    Frame::of(&camera, std::slice::from_ref(light), 0.0, [PIXELS; 2], show).expect("a good camera and light")
+    Frame::of(&camera, std::slice::from_ref(light), &Default::default(), [PIXELS; 2], show)
+        .expect("a good camera and light")
 }

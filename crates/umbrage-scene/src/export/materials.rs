@@ -71,6 +71,8 @@ impl Writer<'_> {
             roughness,
             specular,
             emission,
+            alpha: _,
+            transmission: _,
             unlit,
             casts,
             maps,

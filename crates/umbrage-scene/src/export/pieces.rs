@@ -57,7 +57,8 @@ pub(super) fn add_texture(
 
 /// Adds a mesh: one accessor for each attribute, one primitive for each part.
 pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<JsonMesh>, Fault> {
-    let Mesh { name, positions, normals, uvs, colours, indices, parts, bounds: _ } = mesh;
+    let Mesh { name, positions, normals, uvs, colours, influences: _, targets: _, indices, parts, bounds: _ } =
+        mesh;
     let fault = |why: String| Fault(format!("{why}, in mesh {name:?}"));
     let count = positions.len();
     if normals.len() != count || uvs.len() != count {

@@ -31,7 +31,7 @@ pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), F
     if scene.instances.is_empty() {
         return Err(Fault("no triangles in the scene".to_owned()));
     }
-    let bounds = scene.bounds_at(0.0);
+    let bounds = scene.bounds_in(&scene.pose(0.0));
     let size = 2.0 * radius(bounds);
     if size.is_nan() || size < SMALLEST {
         return Err(Fault(format!(

@@ -109,7 +109,10 @@ mod tests {
         let normals = positions.iter().map(|p| (*p - Vec3::splat(0.25)).normalize_or_zero()).collect();
         let indices = vec![1, 2, 3, 0, 2, 1, 0, 3, 2, 0, 1, 3];
         let (uvs, colours) = (vec![glam::Vec2::ONE; 4], vec![glam::Vec4::splat(0.5); 4]);
-        Mesh::new("t", &[Primitive { positions, normals, uvs, colours, indices, material: 3 }])
+        Mesh::new(
+            "t",
+            &[Primitive { positions, normals, uvs, colours, indices, material: 3, ..Primitive::default() }],
+        )
     }
 
     #[test]

@@ -58,6 +58,8 @@ pub(super) fn settle(
             world_from_mesh: world_from_mesh.as_mat4(),
             motion: placed.motion,
             casts: placed.casts.unwrap_or(true),
+            node: None,
+            skin: None,
         });
     }
     domes::let_cast_nothing(scene, &said_to_cast, warnings);

@@ -4,7 +4,7 @@ mod views;
 use glam::{Mat4, Vec3};
 
 use super::*;
-use crate::{Lens, Light, LightKind};
+use crate::{Lens, Light, LightKind, Pose};
 
 /// What a world is to be: name, triangles, area in km², casters, moving ones, and near and far of the main camera.
 type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
@@ -161,12 +161,18 @@ fn a_seed_names_one_world() {
 fn the_light_of_orbit_looks_at_the_middle_and_is_back_after_twelve_seconds() {
     let light = &orbit::build(0).lights[0];
     for seconds in [0.0, 3.0, 7.5] {
-        let pose = light.world_from_light_at(seconds);
+        let pose = light.world_from_light_in(&Pose::at(seconds));
         let (eye, along) = (pose.w_axis.truncate(), -pose.z_axis.truncate());
         assert!((eye + along * eye.length()).length() < 1e-4, "from {eye} along {along}");
     }
-    assert!(light.world_from_light_at(12.0).abs_diff_eq(light.world_from_light, 1e-4), "a whole turn");
-    assert!(!light.world_from_light_at(6.0).abs_diff_eq(light.world_from_light, 1.0), "half a turn");
+    assert!(
+        light.world_from_light_in(&Pose::at(12.0)).abs_diff_eq(light.world_from_light, 1e-4),
+        "a whole turn"
+    );
+    assert!(
+        !light.world_from_light_in(&Pose::at(6.0)).abs_diff_eq(light.world_from_light, 1.0),
+        "half a turn"
+    );
 }
 
 #[test]

@@ -67,8 +67,8 @@ fn brightness(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) {
 
 /// What the world's lights ask for, lux.
 fn metered(view: &ViewState, scene: &Scene) -> f32 {
-    let lights = view.lights(scene);
-    let lights: Vec<_> = lights.iter().filter_map(|light| FrameLight::at(light, view.seconds).ok()).collect();
+    let (lights, pose) = (view.lights(scene), scene.pose(view.seconds));
+    let lights: Vec<_> = lights.iter().filter_map(|light| FrameLight::at(light, &pose).ok()).collect();
     umbrage_render::metered_lux(scene, &lights)
 }
 

@@ -83,7 +83,7 @@ impl Comparison {
         }
         let Shot { camera, lights, frame, settings: _ } = &self.shot;
         let eye = Eye::new(camera, frame.width, frame.height);
-        let lights = || lights.iter().map(|light| umbrage_judge::Light::at(light, frame.seconds)).collect();
+        let lights = || lights.iter().map(|light| umbrage_judge::Light::at(light, &frame.pose)).collect();
         let progress =
             self.progress.get_or_insert_with(|| Progress::new(Arc::clone(bvh), eye, lights(), self.distance));
         if !progress.is_done() {

@@ -104,7 +104,8 @@ impl Oracle {
         let (width, height) = (seen.picture.width().round() as u32, seen.picture.height().round() as u32);
         let camera = seen.view.camera();
         let (lights, show) = (&self.scene.lights[..1], Show::Visibility(0));
-        let frame = Frame::of(&camera, lights, 0.0, [width, height], show).expect("a camera and a light");
+        let frame = Frame::of(&camera, lights, &Default::default(), [width, height], show)
+            .expect("a camera and a light");
         let settings = seen.view.settings[0].clone();
         let mut renderer = Renderer::new(&self.gpu, &self.scene, settings).expect("a renderer");
         let drawn = renderer.render(&frame).expect("a frame").drawn;

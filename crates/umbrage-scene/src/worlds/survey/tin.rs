@@ -45,8 +45,16 @@ pub(super) fn primitives(land: &Land, dice: &mut Dice, tolerance: impl Fn(Vec2) 
         let [east, north] =
             [0, 1].map(|axis| triangle.iter().map(|p| p[axis]).sum::<usize>() / (3 * QUARTER));
         let quarter = north * ACROSS + east;
-        let Primitive { positions, normals: normals_here, uvs, indices, material: _, colours: _ } =
-            &mut quarters[quarter];
+        let Primitive {
+            positions,
+            normals: normals_here,
+            uvs,
+            indices,
+            material: _,
+            colours: _,
+            influences: _,
+            targets: _,
+        } = &mut quarters[quarter];
         for place in triangle {
             let key = index(*place);
             let number = *numbers[quarter].entry(key).or_insert_with(|| {

@@ -130,7 +130,7 @@ fn every_camera_of_a_world_without_sun_sees_light_and_shadow() {
 #[test]
 fn eyes_and_lights_of_worlds_without_sun_are_in_the_air() {
     for (scene, pieces) in sunless() {
-        let reach = scene.bounds_at(0.0).size().length();
+        let reach = scene.bounds_in(&scene.pose(0.0)).size().length();
         let on_path = (0..=255).filter_map(|i: u8| scene.path.world_from_camera(f32::from(i) / 255.0));
         let eyes = scene.cameras.iter().map(|camera| camera.world_from_camera).chain(on_path);
         let lights = scene.lights.iter().map(|light| light.world_from_light);
