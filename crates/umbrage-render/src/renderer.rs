@@ -13,7 +13,7 @@ pub use area::AreaRendered;
 
 use crate::buffers::Growing;
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
-use crate::draws::{Draw, DrawLists, Materials, PartTable};
+use crate::draws::{Draw, DrawLists, PartTable};
 use crate::error::RenderError;
 use crate::exposure::Exposure;
 use crate::frame::{Frame, Show};
@@ -55,8 +55,9 @@ impl Renderer {
     /// # Errors
     /// When a setting is out of range, or something exceeds the adapter's limits.
     pub fn new(gpu: &Gpu, scene: &Scene, settings: Settings) -> Result<Self, RenderError> {
-        let buffers = Arc::new(gpu.allocate("the scene", || SceneBuffers::new(gpu, scene))?);
-        Self::with_buffers(gpu, buffers, PartTable::new(scene), settings)
+        let parts = PartTable::new(scene);
+        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers()))?;
+        Self::with_buffers(gpu, Arc::new(buffers), parts, settings)
     }
 
     /// Makes another renderer of the same scene, to see it with other settings beside this one. Both share what the scene
@@ -250,7 +251,7 @@ impl Renderer {
             planned.pose = Arc::clone(&frame.pose);
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
-            list(planned, parts, cull_parts);
+            list(planned, parts, cull_parts, true);
             planned.numbers.write(gpu, bytemuck::cast_slice(planned.lists.instances()))?;
             planned.maps = MapsId::new();
             planned.milliseconds = start.elapsed().as_secs_f64() * 1e3;
@@ -317,17 +318,18 @@ impl Renderer {
     }
 }
 
-/// Lists what is drawn into each of a plan's views, and what the camera sees.
-fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
+/// Lists what is drawn into each of a plan's views, what the camera sees, and the veils before that.
+fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool, veils: bool) {
     let Planned { plan, camera, lists, loads, .. } = planned;
     lists.clear();
     loads.clear();
     for (i, view) in plan.views().iter().enumerate() {
-        parts.add_view(lists, cull_parts.then_some(&view.casters), Materials::Together);
+        parts.add_casters(lists, cull_parts.then_some(&view.casters), veils);
         let draws = lists.view(i);
         let triangles = draws.iter().map(Draw::triangles).sum();
         loads.push(ViewLoad { light: view.light, split: view.split, draws: draws.len(), triangles });
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    parts.add_view(lists, Some(&seen), Materials::Apart);
+    parts.add_seen(lists, &seen);
+    parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }

@@ -3,6 +3,7 @@
 use umbrage_scene::{Material, Scene};
 
 use crate::buffers::filled;
+use crate::cover::Cover;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::materials::Materials;
@@ -24,10 +25,12 @@ pub(crate) struct SceneBuffers {
     pub colours: VertexColours,
     pub surroundings: Surroundings,
     pub finish: Finish,
+    /// The covers that the scene's surfaces have.
+    pub covers: Vec<Cover>,
 }
 
 impl SceneBuffers {
-    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, RenderError> {
+    pub fn new(gpu: &Gpu, scene: &Scene, covers: Vec<Cover>) -> Result<Self, RenderError> {
         let positions: Vec<u8> = scene
             .meshes
             .iter()
@@ -60,6 +63,7 @@ impl SceneBuffers {
             colours: VertexColours::new(gpu, scene)?,
             surroundings: Surroundings::new(gpu, scene),
             finish: if is_matte { Finish::Matte } else { Finish::Glossy },
+            covers,
         })
     }
 
