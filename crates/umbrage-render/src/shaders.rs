@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn every_shader_of_the_renderer_is_valid_wgsl() {
-        check(&casters(&caster_wgsl()));
+        check(&casters(&caster_wgsl(0)));
         [depth(), lit_sky(), area_sum(), map_picture(&map_wgsl())].iter().for_each(|text| check(text));
         [Around::Sky, Around::Picture].iter().for_each(|around| check(&sky(*around)));
         for select in [Select::Depth, Select::ClipDepth, Select::Map] {
