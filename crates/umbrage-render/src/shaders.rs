@@ -275,7 +275,7 @@ mod tests {
 
     #[test]
     fn every_shader_of_the_renderer_is_valid_wgsl() {
-        check(&casters(&caster_wgsl()));
+        check(&casters(&caster_wgsl(0)));
         [depth(Cover::Solid), depth(Cover::Cut), lit_sky(), area_sum(), map_picture(&map_wgsl())]
             .iter()
             .for_each(|text| check(text));

@@ -27,7 +27,8 @@
 
 mod bindings;
 mod capabilities;
-mod caster_pass;
+mod caster_pipeline;
+mod caster_state;
 mod casting;
 mod changed;
 mod compute;
@@ -48,7 +49,8 @@ mod sums;
 mod supported;
 
 pub use capabilities::Capabilities;
-pub use caster_pass::CasterVertex;
+pub use caster_pipeline::{CasterPipeline, CasterStage};
+pub use caster_state::CasterState;
 pub use casting::Casting;
 pub use changed::Changed;
 pub use contact::ContactShadows;
@@ -71,10 +73,15 @@ pub use {glam, umbrage_wgsl as shaders, wgpu};
 
 pub use umbrage_wgsl::{contact as contact_wgsl, map as map_wgsl};
 
-/// WGSL to put in front of a caster's vertex shader: see [`shaders::caster`]. Its bindings are group 0 of the pipeline; yours
-/// start at 1.
-pub fn caster_wgsl() -> String {
-    shaders::caster(0)
+/// WGSL to put in front of a caster's shaders: see [`shaders::caster`]. Its bindings are group `group` of the pipeline: 0 in those of
+/// [`Shadows::caster_pipeline`], and any in a host's own ([`CasterState`]).
+pub fn caster_wgsl(group: u32) -> String {
+    shaders::caster(group)
+}
+
+/// The same for the second surface that the light meets: see [`shaders::second_caster`] and [`Shadows::second_caster_pipeline`].
+pub fn second_caster_wgsl(group: u32) -> String {
+    shaders::second_caster(group)
 }
 
 /// WGSL to put in front of a receiver's shader, on a device that can do this: see [`shaders::receiver`]. Its bindings are group
