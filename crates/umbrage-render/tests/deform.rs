@@ -8,12 +8,12 @@ mod reference;
 
 use std::sync::Arc;
 
-use bodies::{add_both, add_sheet, add_tube, node, play, skinned, turn_over_time, yard};
-use glam::{DVec3, Mat4, Quat, Vec3};
+use bodies::{add_sheet, add_tube, bodies, node, play, turn_over_time, yard};
+use glam::{DVec3, Mat4, Vec3};
 use reference::{baked, bent};
 use umbrage_render::umbrage::{Bias, CasterFaces, Filter, Settings};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
-use umbrage_scene::rig::{Channel, Node, Place, Track};
+use umbrage_scene::rig::{Channel, Track};
 use umbrage_scene::{Curve, Instance, Keys, Light, Mesh, Scene};
 
 fn gpu() -> Gpu {
@@ -32,71 +32,10 @@ fn visibility(gpu: &Gpu, scene: &Scene, seconds: f32, settings: &Settings) -> Ve
     drawn.picture().expect("a picture").rgba.chunks_exact(4).map(|pixel| pixel[0]).collect()
 }
 
-/// Bodies of all kinds, each with what it is called.
-fn bodies() -> Vec<(&'static str, Scene)> {
-    let mut all = Vec::new();
-    let mut add = |name, make: &dyn Fn(&mut Scene)| {
-        let mut scene = yard();
-        make(&mut scene);
-        all.push((name, scene));
-    };
-    let scaled = |scale: Vec3, at: DVec3| Node {
-        rest: Place::Parts { translation: at, rotation: Quat::from_rotation_y(0.7), scale },
-        ..node(None, at)
-    };
-    add("a tube with two joints", &|scene| {
-        add_tube(scene, 2, 2, 1.2, node(None, DVec3::ZERO));
-    });
-    add("a sheet with three targets", &|scene| {
-        add_sheet(scene, [0.7, -0.5, 1.3], node(None, DVec3::Y * 0.2));
-    });
-    add("joints and targets at once", &|scene| {
-        add_both(scene, [1.0, 0.8], node(None, DVec3::X));
-    });
-    add("a mirrored tube", &|scene| {
-        add_tube(scene, 3, 2, 1.5, scaled(Vec3::new(-1.0, 1.0, 1.0), DVec3::ZERO));
-    });
-    add("a tube scaled unevenly", &|scene| {
-        add_tube(scene, 3, 2, 0.8, scaled(Vec3::new(2.0, 0.7, 0.5), DVec3::ZERO));
-    });
-    add("a mirrored sheet", &|scene| {
-        add_sheet(scene, [1.0, 0.2, 0.4], scaled(Vec3::new(1.0, 1.0, -1.5), DVec3::ZERO));
-    });
-    add("seven joints a vertex", &|scene| {
-        add_tube(scene, 8, 7, 2.0, node(None, DVec3::ZERO));
-    });
-    add("two instances of a mesh in two poses", &|scene| {
-        let first = add_tube(scene, 2, 2, 1.0, node(None, DVec3::NEG_X));
-        let mesh = scene.instances[first].mesh;
-        let (node, skin) = bodies::chain(scene, 2, -1.4, node(None, DVec3::X));
-        let second = skinned(scene, mesh, node, skin);
-        scene.instances.push(second);
-    });
-    add("a still instance beside a bent one", &|scene| {
-        let first = add_tube(scene, 2, 2, 1.0, node(None, DVec3::NEG_X));
-        let mesh = scene.instances[first].mesh;
-        scene.instances.push(Instance::still(mesh, Mat4::from_translation(Vec3::X * 2.0)));
-    });
-    all
-}
-
 #[test]
 fn bent_vertices_are_those_of_an_evaluation_in_f64() {
     let gpu = gpu();
-    let far = ("far from the origin", {
-        let mut scene = yard();
-        let at = DVec3::new(1e5 + 0.377, 0.1, -1e5);
-        add_tube(&mut scene, 3, 2, 1.2, node(None, at));
-        let camera = &mut scene.cameras[0];
-        camera.world_from_camera.w_axis += at.as_vec3().extend(0.0);
-        scene
-    });
-    let many = ("thousands of joints", {
-        let mut scene = yard();
-        add_tube(&mut scene, 3000, 5, 4.0, node(None, DVec3::ZERO));
-        scene
-    });
-    for (name, scene) in bodies().into_iter().chain([far, many]) {
+    for (name, scene) in bodies() {
         let pose = scene.pose(0.0);
         let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
         renderer.draw(&frame(&scene, 0.0, Show::Nothing)).expect("a frame");

@@ -206,3 +206,60 @@ pub fn play(scene: &mut Scene, channel: Channel) {
     animations[0].channels.push(channel);
     scene.rig.playing = Some(0);
 }
+
+/// Bodies of all kinds, each with what it is called.
+pub fn bodies() -> Vec<(&'static str, Scene)> {
+    let mut all = Vec::new();
+    let mut add = |name, make: &dyn Fn(&mut Scene)| {
+        let mut scene = yard();
+        make(&mut scene);
+        all.push((name, scene));
+    };
+    let scaled = |scale: Vec3, at: DVec3| Node {
+        rest: Place::Parts { translation: at, rotation: Quat::from_rotation_y(0.7), scale },
+        ..node(None, at)
+    };
+    add("a tube with two joints", &|scene| {
+        add_tube(scene, 2, 2, 1.2, node(None, DVec3::ZERO));
+    });
+    add("a sheet with three targets", &|scene| {
+        add_sheet(scene, [0.7, -0.5, 1.3], node(None, DVec3::Y * 0.2));
+    });
+    add("joints and targets at once", &|scene| {
+        add_both(scene, [1.0, 0.8], node(None, DVec3::X));
+    });
+    add("a mirrored tube", &|scene| {
+        add_tube(scene, 3, 2, 1.5, scaled(Vec3::new(-1.0, 1.0, 1.0), DVec3::ZERO));
+    });
+    add("a tube scaled unevenly", &|scene| {
+        add_tube(scene, 3, 2, 0.8, scaled(Vec3::new(2.0, 0.7, 0.5), DVec3::ZERO));
+    });
+    add("a mirrored sheet", &|scene| {
+        add_sheet(scene, [1.0, 0.2, 0.4], scaled(Vec3::new(1.0, 1.0, -1.5), DVec3::ZERO));
+    });
+    add("seven joints a vertex", &|scene| {
+        add_tube(scene, 8, 7, 2.0, node(None, DVec3::ZERO));
+    });
+    add("two instances of a mesh in two poses", &|scene| {
+        let first = add_tube(scene, 2, 2, 1.0, node(None, DVec3::NEG_X));
+        let mesh = scene.instances[first].mesh;
+        let (node, skin) = chain(scene, 2, -1.4, node(None, DVec3::X));
+        let second = skinned(scene, mesh, node, skin);
+        scene.instances.push(second);
+    });
+    add("a still instance beside a bent one", &|scene| {
+        let first = add_tube(scene, 2, 2, 1.0, node(None, DVec3::NEG_X));
+        let mesh = scene.instances[first].mesh;
+        scene.instances.push(Instance::still(mesh, Mat4::from_translation(Vec3::X * 2.0)));
+    });
+    add("a tube 100 km from the origin", &|scene| {
+        let at = DVec3::new(1e5, 0.0, -1e5);
+        add_tube(scene, 3, 2, 1.2, node(None, at + DVec3::new(0.377, 0.0, 0.1)));
+        scene.instances[0].world_from_mesh = Mat4::from_translation(at.as_vec3());
+        scene.cameras[0].world_from_camera.w_axis += at.as_vec3().extend(0.0);
+    });
+    add("thousands of joints", &|scene| {
+        add_tube(scene, 3000, 5, 4.0, node(None, DVec3::ZERO));
+    });
+    all
+}
