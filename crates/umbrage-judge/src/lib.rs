@@ -18,6 +18,7 @@
 pub mod statistics;
 pub mod temporal;
 
+mod bent;
 mod bytes;
 mod causes;
 mod deviation;

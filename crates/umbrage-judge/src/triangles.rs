@@ -7,6 +7,8 @@
 use glam::{DMat3, DVec3, Mat4, Vec3};
 use umbrage_scene::{Pose, Scene};
 
+use crate::bent::{self, Vertex};
+
 /// The triangles of a world in any order, before a BVH is built over them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
@@ -24,10 +26,11 @@ pub struct Triangles {
 pub(crate) const HALF_ULP: f64 = 1.0 / 16_777_216.0;
 
 impl Triangles {
-    /// Collects every triangle of a scene in a pose.
+    /// Collects every triangle of a scene that is seen in a pose, as it is bent there.
     pub fn of(scene: &Scene, pose: &Pose) -> Self {
         let mut all = Self { corners: Vec::with_capacity(scene.triangles()), ..Self::default() };
-        for instance in &scene.instances {
+        for instance in scene.instances.iter().filter(|instance| instance.is_visible_in(pose)) {
+            let bent = bent::vertices(scene, instance, pose);
             let mesh = &scene.meshes[instance.mesh];
             let place = Place::new(&instance.world_from_mesh_in(pose));
             for part in &mesh.parts {
@@ -35,7 +38,10 @@ impl Triangles {
                 let casts = instance.casts && material.is_none_or(|material| material.casts);
                 let indices = &mesh.indices[part.indices.start as usize..part.indices.end as usize];
                 for triangle in indices.as_chunks().0.iter().map(|t: &[u32; 3]| t) {
-                    all.push(&place, triangle.map(|i| mesh.positions[i as usize]));
+                    match &bent {
+                        Some(vertices) => all.push_bent(triangle.map(|i| vertices[i as usize])),
+                        None => all.push(&place, triangle.map(|i| mesh.positions[i as usize])),
+                    }
                 }
                 all.casts.resize(all.corners.len(), casts);
             }
@@ -58,6 +64,13 @@ impl Triangles {
         let corners = in_mesh.map(|corner| place.linear * corner.as_dvec3() + place.translation);
         let largest = in_mesh.into_iter().fold(Vec3::ZERO, |largest, corner| largest.max(corner.abs()));
         let moved = place.absolute * largest.as_dvec3() * HALF_ULP;
+        self.rounding.push(normal(&corners).abs().dot(moved) as f32);
+        self.corners.push(corners);
+    }
+
+    fn push_bent(&mut self, vertices: [Vertex; 3]) {
+        let corners = vertices.map(|vertex| vertex.position);
+        let moved = vertices.into_iter().fold(DVec3::ZERO, |most, vertex| most.max(vertex.moved));
         self.rounding.push(normal(&corners).abs().dot(moved) as f32);
         self.corners.push(corners);
     }

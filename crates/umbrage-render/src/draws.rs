@@ -6,13 +6,15 @@ mod lists;
 
 use std::ops::Range;
 
-use glam::{Mat4, Vec3};
+use glam::Vec3;
 use umbrage::{Aabb, Bounds, ConvexVolume};
-use umbrage_scene::{Instance, Pose, Scene};
+use umbrage_scene::{Instance, Mesh, Pose, Scene};
 
 pub use lists::{Draw, DrawLists};
 
 use crate::cover::{Cover, Covers};
+use crate::posed::{Posed, may_turn_over};
+use crate::shapes::Shapes;
 
 /// Every (part, instance) of a scene with its world box, ordered by cover, mesh, mirroring, casting, part and instance.
 #[derive(Clone, Debug)]
@@ -23,8 +25,7 @@ pub struct PartTable {
     /// What is planned for: all but skies.
     bounds: Bounds,
     pose: Pose,
-    /// Room for the matrices of instances that move.
-    matrices: Vec<Option<Mat4>>,
+    posed: Posed,
 }
 
 /// A part of a mesh, and where it stands.
@@ -35,6 +36,8 @@ struct PartRow {
     material: u32,
     cover: Cover,
     local: umbrage_scene::Aabb,
+    /// Its shape, and its number among the mesh's parts, where it is bent: then its box depends on the pose.
+    bent: Option<(usize, usize)>,
     /// Whether its instances mirror it, which turns its winding over.
     mirrored: bool,
     /// Whether it casts shadows.
@@ -53,18 +56,28 @@ impl PartTable {
     pub fn new(scene: &Scene) -> Self {
         /// The groups of a mesh's instances, each with whether it is mirrored and whether it casts.
         const GROUPS: [(bool, bool); 4] = [(false, true), (false, false), (true, true), (true, false)];
-        let mut instances_of = vec![[const { Vec::new() }; 4]; scene.meshes.len()];
+        let posed = Posed::new(scene);
+        let shapes = &posed.shapes;
+        // Of each mesh as it is, and then of each shape.
+        let mut instances_of = vec![[const { Vec::new() }; 4]; scene.meshes.len() + shapes.all.len()];
         for (i, instance) in scene.instances.iter().enumerate() {
-            let mirrored = instance.world_from_mesh.determinant() < 0.0;
-            let group = 2 * usize::from(mirrored) + usize::from(!instance.casts);
-            instances_of[instance.mesh][group].push(i as u32);
+            let bent = shapes.of_instance[i].map(|shape| scene.meshes.len() + shape as usize);
+            let is_mirrored = instance.world_from_mesh.determinant() < 0.0;
+            for mirrored in [false, true] {
+                if mirrored == is_mirrored || may_turn_over(instance) {
+                    let group = 2 * usize::from(mirrored) + usize::from(!instance.casts);
+                    instances_of[bent.unwrap_or(instance.mesh)][group].push(i as u32);
+                }
+            }
         }
         let mut covers = Covers::new(scene);
         let mut parts = Vec::new();
-        let (mut first_index, mut base_vertex) = (0, 0);
-        for (mesh, instances_of_mesh) in scene.meshes.iter().zip(&instances_of) {
+        let sources = sources(scene, shapes);
+        for (Source { mesh, first_index, base_vertex, shape }, instances_of_mesh) in
+            sources.into_iter().zip(&instances_of)
+        {
             for ((mirrored, instances_cast), instances) in GROUPS.into_iter().zip(instances_of_mesh) {
-                for part in mesh.parts.iter().filter(|_| !instances.is_empty()) {
+                for (number, part) in mesh.parts.iter().enumerate().filter(|_| !instances.is_empty()) {
                     let material = scene.materials.get(part.material);
                     let casts = instances_cast && material.is_none_or(|material| material.casts);
                     parts.push(PartRow {
@@ -73,6 +86,7 @@ impl PartTable {
                         material: part.material as u32,
                         cover: covers.of(mesh, part),
                         local: part.bounds,
+                        bent: shape.map(|shape| (shape, number)),
                         mirrored,
                         casts,
                         is_sky: !casts && material.is_some_and(|material| material.unlit),
@@ -81,8 +95,6 @@ impl PartTable {
                     });
                 }
             }
-            first_index += mesh.indices.len() as u32;
-            base_vertex += mesh.positions.len() as i32;
         }
         // Solid parts come first, so that one pipeline draws all of them; those of a mesh stay neighbours.
         parts.sort_by_key(|part| part.cover);
@@ -92,10 +104,9 @@ impl PartTable {
             boxes += part.instances.len();
         }
         let (boxes, bounds) = (vec![Aabb::EMPTY; boxes], Bounds { world: Aabb::EMPTY, objects: Vec::new() });
-        let matrices = Vec::with_capacity(scene.instances.len());
-        let mut table = Self { parts, boxes, bounds, pose: scene.pose(0.0), matrices };
-        let pose = table.pose.clone();
-        table.place(&scene.instances, |instance| Some(instance.world_from_mesh_in(&pose)));
+        let mut table = Self { parts, boxes, bounds, pose: scene.pose(0.0), posed };
+        table.posed.take(&scene.instances, &table.pose, true);
+        table.place();
         table
     }
 
@@ -110,27 +121,25 @@ impl PartTable {
     pub fn move_to(&mut self, instances: &[Instance], pose: &Pose) {
         if *pose != self.pose {
             self.pose.clone_from(pose);
-            self.place(instances, |instance| {
-                instance.is_dynamic().then(|| instance.world_from_mesh_in(pose))
-            });
+            self.posed.take(instances, pose, false);
+            self.place();
         }
     }
 
-    fn place(&mut self, instances: &[Instance], world_from_mesh: impl Fn(&Instance) -> Option<Mat4>) {
-        let Self { parts, boxes, bounds, pose: _, matrices } = self;
-        matrices.clear();
-        matrices.extend(instances.iter().map(world_from_mesh));
+    /// Makes the boxes of what the pose moves.
+    fn place(&mut self) {
+        let Self { parts, boxes, bounds, pose: _, posed } = self;
         bounds.objects.clear();
         for part in parts {
             let boxes = &mut boxes[part.first_box..][..part.instances.len()];
+            let local = part.bent.map_or(part.local, |(shape, number)| posed.local(shape, number));
             for (slot, &instance) in boxes.iter_mut().zip(&part.instances) {
-                if let Some(matrix) = &matrices[instance as usize] {
-                    let world = part.local.transformed(matrix);
-                    *slot = Aabb { min: world.min, max: world.max };
+                if let Some(standing) = &posed.instances[instance as usize] {
+                    *slot = standing.world(local, part.mirrored);
                 }
             }
             if !part.is_sky {
-                bounds.objects.extend_from_slice(boxes);
+                bounds.objects.extend(boxes.iter().filter(|aabb| !aabb.is_empty()));
             }
         }
         bounds.world = bounds.objects.iter().fold(Aabb::EMPTY, |sum, aabb| sum.union(*aabb));
@@ -169,7 +178,7 @@ impl PartTable {
         let first = lists.draws.len();
         for part in self.parts.iter().filter(|part| part.cover == Cover::Veil) {
             for (instance, aabb) in part.instances.iter().zip(self.boxes(part)) {
-                if volume.may_touch_box(aabb) {
+                if !aabb.is_empty() && volume.may_touch_box(aabb) {
                     let number = lists.instances.len() as u32;
                     lists.instances.push(*instance);
                     lists.draws.push(Draw {
@@ -207,7 +216,7 @@ impl PartTable {
                 .instances
                 .iter()
                 .zip(self.boxes(part))
-                .filter(|(_, aabb)| volume.is_none_or(|v| v.may_touch_box(aabb)));
+                .filter(|(_, aabb)| !aabb.is_empty() && volume.is_none_or(|v| v.may_touch_box(aabb)));
             lists.instances.extend(touching.map(|(instance, _)| *instance));
             if lists.instances.len() == start {
                 continue;
@@ -242,6 +251,30 @@ impl PartRow {
             instances,
         }
     }
+}
+
+/// What parts are drawn from: a mesh as it is, or one of its shapes.
+struct Source<'a> {
+    mesh: &'a Mesh,
+    first_index: u32,
+    base_vertex: i32,
+    shape: Option<usize>,
+}
+
+/// All meshes, and then all shapes, with where they lie in the scene's buffers.
+fn sources<'a>(scene: &'a Scene, shapes: &Shapes) -> Vec<Source<'a>> {
+    let (mut first_index, mut base_vertex) = (0, 0);
+    let mut all = Vec::with_capacity(scene.meshes.len() + shapes.all.len());
+    for mesh in &scene.meshes {
+        all.push(Source { mesh, first_index, base_vertex, shape: None });
+        first_index += mesh.indices.len() as u32;
+        base_vertex += mesh.positions.len() as i32;
+    }
+    for (i, shape) in shapes.all.iter().enumerate() {
+        let (base_vertex, shape_number) = (shape.first_vertex as i32, Some(i));
+        all.push(Source { base_vertex, shape: shape_number, ..all[shape.mesh] });
+    }
+    all
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! A scene, drawn: a plan, one caster pass for each of its views, one shading pass.
 
 mod area;
+mod bent;
 mod maps;
 
 use std::sync::Arc;
@@ -10,6 +11,7 @@ use umbrage_scene::Scene;
 use web_time::{Duration, Instant};
 
 pub use area::AreaRendered;
+pub use bent::BentVertices;
 
 use crate::buffers::Growing;
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
@@ -152,8 +154,9 @@ impl Renderer {
         let milliseconds = |duration: Duration| duration.as_secs_f64() * 1e3;
         let (frame, cast, plan) =
             (milliseconds(start.elapsed()), milliseconds(cast), drawn.plan_milliseconds());
-        let [casters, filter, shade] = self.timer.take(&self.gpu).unwrap_or([cast - plan, 0.0, frame - cast]);
-        Ok(Rendered { drawn, times: FrameTimes { plan, casters, filter, shade, frame } })
+        let [deform, casters, filter, shade] =
+            self.timer.take(&self.gpu).unwrap_or([0.0, cast - plan, 0.0, frame - cast]);
+        Ok(Rendered { drawn, times: FrameTimes { plan, deform, casters, filter, shade, frame } })
     }
 
     /// Draws another picture of a frame, from the shadow maps that are drawn: the same camera, lights, time and size.
@@ -173,10 +176,10 @@ impl Renderer {
         self.shade(planned, show, target)
     }
 
-    /// Takes how long the passes of an earlier [`Self::draw`] or [`Self::show`] took on the device, milliseconds: casters,
-    /// filter, shading. Each frame comes once, the oldest first; `None` where none is done, or the device has no timestamps.
+    /// Takes how long the passes of an earlier [`Self::draw`] or [`Self::show`] took on the device, milliseconds: bending,
+    /// casters, filter, shading. Each frame comes once, the oldest first; `None` where none is done, or the device has no timestamps.
     /// It never waits.
-    pub fn pass_times(&mut self) -> Option<[f64; 3]> {
+    pub fn pass_times(&mut self) -> Option<[f64; 4]> {
         self.timer.take(&self.gpu)
     }
 
@@ -220,9 +223,9 @@ impl Renderer {
     /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
     fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
-        let Self { gpu, scene, parts, shadows, lights, .. } = self;
+        let Self { gpu, scene, parts, shadows, lights, timer, .. } = self;
         let origin = frame.camera.local_origin();
-        scene.placement.move_to(gpu, origin, &frame.pose);
+        scene.move_to(gpu, timer, origin, &frame.pose);
         parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
         let make = || {
@@ -307,7 +310,7 @@ impl Renderer {
         target: Arc<Target>,
     ) -> Result<Drawn, RenderError> {
         // A renderer beside this one may have moved the scene.
-        self.scene.placement.move_to(&self.gpu, planned.origin, &planned.pose);
+        self.scene.move_to(&self.gpu, &self.timer, planned.origin, &planned.pose);
         let mut encoder = self.gpu.encoder("Renderer::shading");
         let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
         self.shading.record(inputs, &mut encoder, &self.timer, &planned, show, &target)?;

@@ -227,6 +227,11 @@ pub(crate) fn map_picture(map: &str) -> String {
     [map, include_str!("../shaders/map_picture.wgsl")].concat()
 }
 
+/// Bent meshes: the compute shader `deform`.
+pub(crate) fn deform() -> String {
+    include_str!("../shaders/deform.wgsl").to_owned()
+}
+
 /// Sums of pictures: the compute shader `add`.
 pub(crate) fn area_sum() -> String {
     include_str!("../shaders/area_sum.wgsl").to_owned()
@@ -276,7 +281,7 @@ mod tests {
     #[test]
     fn every_shader_of_the_renderer_is_valid_wgsl() {
         check(&casters(&caster_wgsl(0)));
-        [depth(Cover::Solid), depth(Cover::Cut), lit_sky(), area_sum(), map_picture(&map_wgsl())]
+        [depth(Cover::Solid), depth(Cover::Cut), lit_sky(), area_sum(), deform(), map_picture(&map_wgsl())]
             .iter()
             .for_each(|text| check(text));
         [Around::Sky, Around::Picture].iter().for_each(|around| check(&sky(*around)));

@@ -227,6 +227,7 @@ fn milliseconds(frame: f64) -> Milliseconds {
     let spread = |median: f64| Spread { median, p5: 0.93 * median, p95: 1.15 * median };
     Milliseconds {
         plan: spread(0.05),
+        deform: spread(0.0),
         casters: spread(0.5 * frame),
         filter: spread(0.0),
         shade: spread(0.4 * frame),

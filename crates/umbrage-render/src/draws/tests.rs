@@ -1,7 +1,7 @@
 //! Tests of which parts are drawn into a view.
 
-use glam::{Vec2, Vec3};
-use umbrage_scene::{Mesh, Primitive};
+use glam::{Mat4, Vec2, Vec3};
+use umbrage_scene::Primitive;
 
 use super::*;
 
