@@ -7,6 +7,9 @@
 use glam::{DMat3, DVec3, Mat4, Vec3};
 use umbrage_scene::{Pose, Scene};
 
+use crate::coverage::Coverages;
+use crate::coverage::gather::Gathering;
+
 /// The triangles of a world in any order, before a BVH is built over them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
@@ -18,6 +21,8 @@ pub struct Triangles {
     pub(crate) still: Vec<bool>,
     /// Whether each triangle casts shadows.
     pub(crate) casts: Vec<bool>,
+    /// How much of their place those cover that are not solid.
+    pub(crate) coverages: Coverages,
 }
 
 /// The most that rounding changes an f32 by, as a share of it.
@@ -27,10 +32,12 @@ impl Triangles {
     /// Collects every triangle of a scene in a pose.
     pub fn of(scene: &Scene, pose: &Pose) -> Self {
         let mut all = Self { corners: Vec::with_capacity(scene.triangles()), ..Self::default() };
-        for instance in &scene.instances {
+        let mut coverages = Gathering::new(scene);
+        for (i, instance) in scene.instances.iter().enumerate() {
             let mesh = &scene.meshes[instance.mesh];
             let place = Place::new(&instance.world_from_mesh_in(pose));
             for part in &mesh.parts {
+                coverages.add(i, mesh, part, all.corners.len());
                 let material = scene.materials.get(part.material);
                 let casts = instance.casts && material.is_none_or(|material| material.casts);
                 let indices = &mesh.indices[part.indices.start as usize..part.indices.end as usize];
@@ -41,6 +48,7 @@ impl Triangles {
             }
             all.still.resize(all.corners.len(), !instance.is_dynamic());
         }
+        all.coverages = coverages.finish();
         all
     }
 
@@ -71,12 +79,13 @@ impl Triangles {
 
     /// The triangles with these indices, in their order.
     pub(crate) fn in_order(&self, order: impl Iterator<Item = usize> + Clone) -> Self {
-        let Self { corners, rounding, still, casts } = self;
+        let Self { corners, rounding, still, casts, coverages } = self;
         Self {
             corners: order.clone().map(|i| corners[i]).collect(),
             rounding: order.clone().map(|i| rounding[i]).collect(),
             still: order.clone().map(|i| still[i]).collect(),
-            casts: order.map(|i| casts[i]).collect(),
+            casts: order.clone().map(|i| casts[i]).collect(),
+            coverages: coverages.in_order(order),
         }
     }
 
