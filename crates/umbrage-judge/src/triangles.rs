@@ -8,6 +8,8 @@ use glam::{DMat3, DVec3, Mat4, Vec3};
 use umbrage_scene::{Pose, Scene};
 
 use crate::bent::{self, Vertex};
+use crate::coverage::Coverages;
+use crate::coverage::gather::Gathering;
 
 /// The triangles of a world in any order, before a BVH is built over them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,6 +22,8 @@ pub struct Triangles {
     pub(crate) still: Vec<bool>,
     /// Whether each triangle casts shadows.
     pub(crate) casts: Vec<bool>,
+    /// How much of their place those cover that are not solid.
+    pub(crate) coverages: Coverages,
 }
 
 /// The most that rounding changes an f32 by, as a share of it.
@@ -29,11 +33,14 @@ impl Triangles {
     /// Collects every triangle of a scene that is seen in a pose, as it is bent there.
     pub fn of(scene: &Scene, pose: &Pose) -> Self {
         let mut all = Self { corners: Vec::with_capacity(scene.triangles()), ..Self::default() };
-        for instance in scene.instances.iter().filter(|instance| instance.is_visible_in(pose)) {
+        let mut coverages = Gathering::new(scene);
+        let visible = scene.instances.iter().enumerate().filter(|(_, instance)| instance.is_visible_in(pose));
+        for (i, instance) in visible {
             let bent = bent::vertices(scene, instance, pose);
             let mesh = &scene.meshes[instance.mesh];
             let place = Place::new(&instance.world_from_mesh_in(pose));
             for part in &mesh.parts {
+                coverages.add(i, mesh, part, all.corners.len());
                 let material = scene.materials.get(part.material);
                 let casts = instance.casts && material.is_none_or(|material| material.casts);
                 let indices = &mesh.indices[part.indices.start as usize..part.indices.end as usize];
@@ -47,6 +54,7 @@ impl Triangles {
             }
             all.still.resize(all.corners.len(), !instance.is_dynamic());
         }
+        all.coverages = coverages.finish();
         all
     }
 
@@ -84,12 +92,13 @@ impl Triangles {
 
     /// The triangles with these indices, in their order.
     pub(crate) fn in_order(&self, order: impl Iterator<Item = usize> + Clone) -> Self {
-        let Self { corners, rounding, still, casts } = self;
+        let Self { corners, rounding, still, casts, coverages } = self;
         Self {
             corners: order.clone().map(|i| corners[i]).collect(),
             rounding: order.clone().map(|i| rounding[i]).collect(),
             still: order.clone().map(|i| still[i]).collect(),
-            casts: order.map(|i| casts[i]).collect(),
+            casts: order.clone().map(|i| casts[i]).collect(),
+            coverages: coverages.in_order(order),
         }
     }
 

@@ -92,8 +92,11 @@ pub struct TruthCounts {
     pub pixels: usize,
     /// The number of pixels left out because their truth depends on rounding.
     pub ambiguous: usize,
-    /// The number of judged pixels that are truly shadowed.
+    /// The number of judged pixels that are truly shadowed: none of the light reaches them.
     pub shadowed: usize,
+    /// The number of judged pixels that a share of the light truly reaches, through glass.
+    #[serde(default)]
+    pub partial: usize,
     /// The length of all true shadow edges, in pixels.
     pub edge_px: f64,
     /// The mean standard error of a pixel's visibility in a soft truth, which says how far its points were too few; 0 for

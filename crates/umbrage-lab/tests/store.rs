@@ -73,7 +73,14 @@ fn outcome(run: &Run) -> Outcome {
         settings: run.settings.clone(),
         texels: u64::MAX,
         bytes: 4,
-        truth: TruthCounts { pixels: 9, ambiguous: 1, shadowed: 4, edge_px: 0.7, standard_error: 0.1 },
+        truth: TruthCounts {
+            pixels: 9,
+            ambiguous: 1,
+            shadowed: 4,
+            partial: 2,
+            edge_px: 0.7,
+            standard_error: 0.1,
+        },
         error: Some(Error {
             mis_shadowed: 0.3,
             false_shadow: 0.1,

@@ -27,7 +27,7 @@ use std::fs;
 use std::path::Path;
 
 use self::files::Files;
-pub(crate) use self::gltf::UNLIT;
+pub(crate) use self::gltf::{TRANSMISSION, UNLIT};
 pub(crate) use self::pictures::MAX_SIDE_PX;
 pub(crate) use self::recentre::{FARTHEST_ORIGIN, would_move};
 use self::warnings::Warnings;

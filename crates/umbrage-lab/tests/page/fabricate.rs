@@ -149,6 +149,7 @@ fn row(
             pixels: 150_000,
             ambiguous: 90,
             shadowed: 40_000,
+            partial: 0,
             edge_px: 5_000.0,
             standard_error: 0.0,
         },
