@@ -56,9 +56,10 @@ pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
     bindings
 }
 
-/// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader, and
-/// `umbrage_caster_fragment(position)` for a fragment shader, which does nothing here. Its bindings are group `group` of the
-/// pipeline: [`caster_bindings`].
+/// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader; for a
+/// fragment shader, where casters have holes, `umbrage_caster_fragment(position)`, which does nothing here, and
+/// `umbrage_caster_covers(position, id, coverage) -> bool`, whether what covers in part is drawn in this texel. Its bindings are
+/// group `group` of the pipeline: [`caster_bindings`].
 pub fn caster(group: u32) -> String {
     caster_with("caster/first", group)
 }
@@ -70,7 +71,7 @@ pub fn second_caster(group: u32) -> String {
 }
 
 fn caster_with(surface: &str, group: u32) -> String {
-    let roots = &["caster/caster", surface];
+    let roots = &["caster/caster", surface, "caster/covers"];
     said(link(Recipe { roots, ..Recipe::default() }).map(|text| in_group(&text, group)))
 }
 

@@ -65,9 +65,9 @@ pub use umbrage_core::{
     Place, PlanError, Plane, Precision, Prefilter, Preset, Projection, Query, RASTER_STEP_TEXELS, Rays,
     ReceiverKey, STEEPEST_PLANE, Scheme, Select, Settings, SettingsError, Shade, ShaderNumber, ShaderValue,
     ShadowPlan, ShadowView, SoftMoments, Splits, Storage, Stored, SummedVariance, TexelBasis, TexelExtent,
-    TexelPrecision, Tile, Variance, ViewKey, Vsm, Warp, balanced_warp_near, ideal_storage_factor, kernel,
-    largest_perspective_error, perspective_error, perspective_texel_extent, plan, schema, split_distances,
-    storage_factor, texel_extent, view_of,
+    TexelPrecision, Tile, TransparentCasters, Variance, ViewKey, Vsm, Warp, balanced_warp_near,
+    ideal_storage_factor, kernel, largest_perspective_error, perspective_error, perspective_texel_extent,
+    plan, schema, split_distances, storage_factor, texel_extent, view_of,
 };
 pub use {glam, umbrage_wgsl as shaders, wgpu};
 
