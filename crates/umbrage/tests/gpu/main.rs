@@ -4,6 +4,7 @@ mod agreement;
 mod casting;
 mod changes;
 mod common;
+mod dither;
 mod filters;
 mod lamps;
 mod layers;
