@@ -14,6 +14,7 @@ fn spoiled(name: &str, from: &str, to: &str, spoil: impl Fn(&mut Vec<u8>)) -> Ve
 }
 
 /// What is said of a file one of whose three meshes cannot be read, and is lost alone.
+#[track_caller]
 fn loses_one(bytes: &[u8], says: &[&str]) {
     let Imported { scene, warnings } = load_glb_bytes(bytes, "lies.glb").unwrap();
     assert_eq!(scene.instances.len(), 2, "{warnings:?}");
@@ -48,7 +49,8 @@ fn draco_streams_that_lie_cost_their_primitive() {
         }
         let view = json.split("\"byteOffset\":128,\"byteLength\":").nth(1).unwrap();
         let length: usize = view[..view.find('}').unwrap()].parse().unwrap();
-        for spoil in spoils {
+        for (i, spoil) in spoils.into_iter().enumerate() {
+            println!("{name}, {i}");
             let bytes = spoiled(name, "", "", |bytes| spoil(&mut bytes[128..128 + length]));
             loses_one(&bytes, &["primitive 0 of mesh 0", "KHR_draco_mesh_compression", LOST]);
         }

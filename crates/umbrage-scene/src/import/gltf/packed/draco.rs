@@ -26,6 +26,10 @@ const NAME: &str = "KHR_draco_mesh_compression";
 /// few times that.
 const MOST_BYTES: usize = 1 << 29;
 
+/// What a stream begins with, and the version that the extension demands.
+const MARK: &[u8] = b"DRACO";
+const VERSION: &[u8] = &[2, 2];
+
 /// Where a primitive is: its mesh, and its number there.
 type Place = (usize, usize);
 
@@ -78,6 +82,11 @@ fn decode(
 ) -> Result<Mesh, Fault> {
     let data = Data { root: &document.root, buffers, broken: &document.broken, progress };
     let bytes = data.view(Index::new(u32::try_from(view).unwrap_or(u32::MAX)))?;
+    if let Some(version) = bytes.get(MARK.len()..MARK.len() + 2).filter(|_| bytes.starts_with(MARK))
+        && version != VERSION
+    {
+        return Err(Fault(format!("a stream of version {}.{}, need 2.2", version[0], version[1])));
+    }
     let limits = DecodeLimits::default()
         .with_max_points(Budget::VERTICES as u64)
         .with_max_faces(Budget::CORNERS as u64 / 3)
