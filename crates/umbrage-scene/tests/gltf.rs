@@ -334,7 +334,6 @@ fn what_is_ignored_is_said_in_one_line_a_kind() {
         [
             "extensions that are not supported are ignored: KHR_materials_sheen",
             "animations are ignored, things stand where their nodes do: 1 in the file",
-            "transparent materials are drawn as opaque: glass, material 1",
             "skins are ignored, meshes stand as they were modelled: hero",
             "morph targets are ignored, shapes stay at weight 0: hero",
         ]

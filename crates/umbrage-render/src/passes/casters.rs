@@ -1,6 +1,6 @@
 //! The pass that draws a scene's casters into a shadow view.
 
-use umbrage::{CasterVertex, ShadowView, Shadows, caster_wgsl};
+use umbrage::{CasterPipeline, ShadowView, Shadows, caster_wgsl};
 
 use crate::draws::Draw;
 use crate::gpu::Gpu;
@@ -34,14 +34,13 @@ impl Casters {
         let layout = gpu.layout("Casters::layout", types);
         let instances = [scene.placement.buffer.as_entire_binding()];
         let instances = gpu.bind_group("Casters::instances", &layout, instances);
-        let module = gpu.module("Casters::module", shaders::casters(&caster_wgsl()));
+        let module = gpu.module("Casters::module", shaders::casters(&caster_wgsl(0)));
         let groups = [&layout];
-        let vertices = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| CasterVertex {
-            module: &module,
-            entry_point: "caster",
+        let vertices = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| CasterPipeline {
             buffers: &CASTER_BUFFERS,
             bind_group_layouts: &groups,
             front_face,
+            ..CasterPipeline::new(&module, "caster")
         });
         let [plain, mirrored] = &vertices;
         let first = |vertex| gpu.counted(shadows.caster_pipeline(&gpu.device, vertex));

@@ -19,7 +19,7 @@ mod transforms;
 
 use gltf::json::Root;
 
-pub(crate) use self::materials::UNLIT;
+pub(crate) use self::materials::{TRANSMISSION, UNLIT};
 
 use self::accessors::{Bytes, Data};
 use super::budget::Budget;

@@ -7,8 +7,9 @@
 use crate::import::warnings::Warnings;
 
 /// Extensions that are read here. What of a picture's or an instance's extension cannot be read is said there.
-const UNDERSTOOD: [&str; 14] = [
+const UNDERSTOOD: &[&str] = &[
     super::UNLIT,
+    super::TRANSMISSION,
     "KHR_materials_emissive_strength",
     "KHR_materials_specular",
     "KHR_lights_punctual",
