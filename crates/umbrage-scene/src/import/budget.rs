@@ -8,6 +8,7 @@ pub(super) struct Budget {
     vertices: usize,
     corners: usize,
     pixels: usize,
+    unpacked: usize,
     is_overdrawn: bool,
 }
 
@@ -19,8 +20,17 @@ impl Budget {
     /// Pixels of all textures together: one of 16384 by 16384, a gibibyte.
     pub const PIXELS: usize = 1 << 28;
 
+    /// Bytes of all that is decompressed: a gibibyte, which is as much as the vertices need.
+    pub const UNPACKED: usize = 1 << 30;
+
     pub fn new() -> Self {
-        Self { vertices: Self::VERTICES, corners: Self::CORNERS, pixels: Self::PIXELS, is_overdrawn: false }
+        Self {
+            vertices: Self::VERTICES,
+            corners: Self::CORNERS,
+            pixels: Self::PIXELS,
+            unpacked: Self::UNPACKED,
+            is_overdrawn: false,
+        }
     }
 
     /// Takes room for `count` more vertices.
@@ -37,7 +47,19 @@ impl Budget {
         taken
     }
 
-    /// Whether more vertices or corners were wanted than there is room for. Then a scene is refused as a whole: half a
+    /// Takes room for `count` more bytes of what is decompressed.
+    pub fn unpacked(&mut self, count: usize) -> Result<(), Fault> {
+        let taken = take(&mut self.unpacked, count, "bytes of what is decompressed", Self::UNPACKED);
+        self.is_overdrawn |= taken.is_err();
+        taken
+    }
+
+    /// How many bytes of what is decompressed there is room for.
+    pub fn unpacked_left(&self) -> usize {
+        self.unpacked
+    }
+
+    /// Whether more vertices, corners or decompressed bytes were wanted than there is room for. Then a scene is refused as a whole: half a
     /// world would be taken for all of it.
     pub fn is_overdrawn(&self) -> bool {
         self.is_overdrawn

@@ -12,6 +12,7 @@ mod materials;
 mod members;
 mod meshes;
 mod nodes;
+mod packed;
 mod place;
 mod stand_in;
 mod transforms;
@@ -24,6 +25,7 @@ use self::accessors::{Bytes, Data};
 use super::budget::Budget;
 use super::draft::Draft;
 use super::files::Files;
+use super::progress::Progress;
 use super::recentre::Rebased;
 use super::warnings::Warnings;
 use super::{recentre, settle};
@@ -35,14 +37,15 @@ pub(super) fn read(
     bytes: &[u8],
     name: &str,
     files: Files<'_>,
+    progress: &Progress<'_>,
     warnings: &mut Warnings,
 ) -> Result<Scene, Fault> {
     let (text, binary) = chunks::split(bytes, warnings)?;
-    let document = document::read(text, warnings)?;
-    let root = &document.root;
-    let buffers = fetch_buffers(root, binary, files);
-    let data = Data { root, buffers: &buffers, broken: &document.broken };
+    let mut document = document::read(text, warnings)?;
+    let mut buffers = fetch_buffers(&document.root, binary, files);
     let mut budget = Budget::new();
+    packed::unpack(&mut document, &mut buffers, &mut budget, progress, warnings);
+    let data = Data { root: &document.root, buffers: &buffers, broken: &document.broken, progress };
     let mut surfaces = materials::read(&data, files, &mut budget, warnings);
     let meshes = meshes::read(&data, &mut surfaces, &mut budget, warnings)?;
 
