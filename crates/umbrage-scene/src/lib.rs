@@ -11,6 +11,7 @@
 
 mod actors;
 mod bounds;
+mod bytes;
 mod camera;
 mod casting;
 mod curve;
