@@ -222,6 +222,7 @@ fn lists_name_every_world_preset_and_adapter() {
         "knights",
         "mining-terrain",
         "survey",
+        "grove",
     ] {
         assert!(worlds.contains(name), "{name}: {worlds}");
     }

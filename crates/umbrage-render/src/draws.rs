@@ -158,13 +158,11 @@ impl PartTable {
     }
 
     /// Appends the draws of everything that casts shadows and may touch `volume`, or of all that casts where that is `None`.
-    /// Veils cast too, unless `veils` is false. Solid parts join whatever their materials are, since only their depth is
-    /// drawn.
-    pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>, veils: bool) {
-        let casts = |part: &PartRow| part.casts && (veils || part.cover != Cover::Veil);
+    /// Solid parts join whatever their materials are, since only their depth is drawn.
+    pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
         let joins =
             |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
-        self.add(lists, volume, casts, joins);
+        self.add(lists, volume, |part| part.casts, joins);
     }
 
     /// Appends the draws of everything but veils that may touch `volume`, each with one material.

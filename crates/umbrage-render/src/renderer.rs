@@ -254,7 +254,7 @@ impl Renderer {
             planned.pose = Arc::clone(&frame.pose);
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
-            list(planned, parts, cull_parts, true);
+            list(planned, parts, cull_parts);
             planned.numbers.write(gpu, bytemuck::cast_slice(planned.lists.instances()))?;
             planned.maps = MapsId::new();
             planned.milliseconds = start.elapsed().as_secs_f64() * 1e3;
@@ -322,12 +322,12 @@ impl Renderer {
 }
 
 /// Lists what is drawn into each of a plan's views, what the camera sees, and the veils before that.
-fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool, veils: bool) {
+fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
     let Planned { plan, camera, lists, loads, .. } = planned;
     lists.clear();
     loads.clear();
     for (i, view) in plan.views().iter().enumerate() {
-        parts.add_casters(lists, cull_parts.then_some(&view.casters), veils);
+        parts.add_casters(lists, cull_parts.then_some(&view.casters));
         let draws = lists.view(i);
         let triangles = draws.iter().map(Draw::triangles).sum();
         loads.push(ViewLoad { light: view.light, split: view.split, draws: draws.len(), triangles });

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use umbrage::{Contact, contact_wgsl};
 
-pub(crate) use covering::{Covering, RECEIVER_ENTRY, depth, vertex_entry};
+pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, vertex_entry};
 
 use crate::frame::{Mark, Show};
 
@@ -212,11 +212,6 @@ pub(crate) fn lit_sky() -> String {
     include_str!("../shaders/sky_lit.wgsl").to_owned()
 }
 
-/// Casters: the vertex shader `caster`.
-pub(crate) fn casters(caster: &str) -> String {
-    [caster, include_str!("../shaders/caster.wgsl")].concat()
-}
-
 /// Queries of points: the compute shader `find_visibility`.
 pub(crate) fn query(receiver: &str) -> String {
     [receiver, include_str!("../shaders/query.wgsl")].concat()
@@ -239,7 +234,9 @@ pub(crate) fn area_sum() -> String {
 
 #[cfg(test)]
 mod tests {
-    use umbrage::{Capabilities, Filter, Select, Settings, caster_wgsl, map_wgsl, receiver_wgsl};
+    use umbrage::{
+        Capabilities, Filter, Select, Settings, caster_wgsl, map_wgsl, receiver_wgsl, second_caster_wgsl,
+    };
 
     use super::covering::Edge;
     use super::*;
@@ -280,7 +277,10 @@ mod tests {
 
     #[test]
     fn every_shader_of_the_renderer_is_valid_wgsl() {
-        check(&casters(&caster_wgsl(0)));
+        for cover in [Cover::Solid, Cover::Cut, Cover::Veil] {
+            check(&casters(&caster_wgsl(0), cover));
+            check(&casters(&second_caster_wgsl(0), cover));
+        }
         [depth(Cover::Solid), depth(Cover::Cut), lit_sky(), area_sum(), deform(), map_picture(&map_wgsl())]
             .iter()
             .for_each(|text| check(text));

@@ -10,7 +10,9 @@
 //! are descriptions as a glTF file has them; whoever draws or traces a scene makes their own matrices from them.
 
 mod actors;
+mod baked;
 mod bounds;
+mod bytes;
 mod camera;
 mod casting;
 mod curve;
@@ -29,6 +31,7 @@ mod paint;
 mod plate;
 mod pose;
 pub mod rig;
+mod rigid;
 mod scene;
 mod shape;
 mod shining;
@@ -42,7 +45,9 @@ pub use deformed_bounds::DeformedBounds;
 pub use environment::{Environment, load_environment};
 pub use error::SceneError;
 pub use export::to_glb;
-pub use import::{Imported, load, load_glb_bytes, load_obj_bytes};
+pub use import::{
+    Imported, Step, load, load_glb_bytes, load_glb_bytes_telling, load_obj_bytes, load_telling,
+};
 pub use light::{Light, LightKind};
 pub use material::{Alpha, Map, Maps, Material, Texture};
 pub use mesh::{Influences, Mesh, MorphTarget, Part, Primitive};

@@ -102,3 +102,15 @@ pub(crate) fn depth(cover: Cover) -> String {
         }
     }
 }
+
+/// Casters: of solid surfaces the vertex shader `caster`; of others `cut_caster`, and the fragment shaders `cut_out` and `dither`.
+pub(crate) fn casters(library: &str, cover: Cover) -> String {
+    let caster = include_str!("../../shaders/caster.wgsl");
+    match cover {
+        Cover::Solid => [library, caster].concat(),
+        Cover::Cut | Cover::Veil => {
+            let cut = include_str!("../../shaders/caster_cut.wgsl");
+            [library, caster, MATERIAL, EDGE_EXACT, cut].concat()
+        }
+    }
+}
