@@ -61,7 +61,7 @@ fn main() -> Result<()> {
 }
 
 /// The picture with these settings: with moments and second surfaces too.
-pub fn draw(settings: Settings) -> Result<Vec<u8>> {
+pub(crate) fn draw(settings: Settings) -> Result<Vec<u8>> {
     let (device, queue) = off_screen::device()?;
     let projection = Projection::Perspective { fov_y: 0.7, aspect: 1.0 };
     let (eye, target) = (Vec3::new(3.0, 24.0, 33.0), Vec3::new(0.0, 1.0, -1.0));

@@ -1,5 +1,7 @@
 //! The example programs draw what they say, with filters that compare and filters of moments, with one surface and with two.
 
+#![expect(clippy::duplicate_mod, reason = "each program loads what they share")]
+
 use std::fmt::Debug;
 use std::ops::Range;
 
