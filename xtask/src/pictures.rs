@@ -6,6 +6,7 @@ use crate::command::{root, umbrage};
 const PICTURES: &[(&str, &str, &str)] = &[
     ("mining-terrain", "main", "mining-terrain"),
     ("survey", "main", "survey"),
+    ("grove", "main", "grove"),
     ("knights", "main", "knights"),
     ("huge-chessboard", "main", "huge-chessboard"),
     ("robot-war", "main", "robot-war"),

@@ -25,6 +25,7 @@ const WORLDS: &[&str] = &[
     "knights",
     "mining-terrain",
     "survey",
+    "grove",
 ];
 const SIZE: &str = "640x360";
 const LARGE: &str = "target/large.glb";

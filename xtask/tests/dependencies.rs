@@ -13,11 +13,13 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "umbrage-scene",
         &[
             "base64",
+            "draco-core",
             "earcut",
             "glam",
             "gltf",
             "image",
             "ktx2",
+            "meshopt-pure",
             "noise-functions",
             "percent-encoding",
             "rand_pcg",

@@ -130,7 +130,7 @@ fn bench_json_has_the_keys_that_scripts_rely_on() {
     assert_eq!(bench["frames"], 3);
     assert_eq!(bench["every_frame"].as_array().map(Vec::len), Some(3));
     for of in [&bench["milliseconds"], &bench["baselines"]["no_shadows"], &bench["baselines"]["no_culling"]] {
-        for stage in ["plan", "casters", "shade", "frame"] {
+        for stage in ["plan", "deform", "casters", "shade", "frame"] {
             for key in ["median", "p5", "p95"] {
                 assert!(of[stage][key].as_f64().is_some(), "{stage}.{key} in {of}");
             }
@@ -222,6 +222,7 @@ fn lists_name_every_world_preset_and_adapter() {
         "knights",
         "mining-terrain",
         "survey",
+        "grove",
     ] {
         assert!(worlds.contains(name), "{name}: {worlds}");
     }

@@ -7,7 +7,9 @@ use crate::filter::{LightSize, ShaderNumber, Stored};
 use crate::fit::Fit;
 use crate::schema::cost::Cost;
 use crate::settings::bias::{BiasNumbers, FrameBias, PlanBias};
-use crate::settings::{Bias, CasterFaces, DepthFormat, DepthLayer, Scheme, Select, Settings, Shade, Storage};
+use crate::settings::{
+    Bias, CasterFaces, DepthFormat, DepthLayer, Scheme, Select, Settings, Shade, Storage, TransparentCasters,
+};
 use crate::warp::Warp;
 
 /// What the textures of the maps depend on, and the steps that make moments or sums of them.
@@ -81,6 +83,7 @@ struct PlanKey<'a> {
     storage: Storage,
     fit: Fit,
     flattens: bool,
+    transparent_casters: TransparentCasters,
     warp: Warp,
     select: Select,
     blend: f32,
@@ -96,6 +99,7 @@ struct FrameKey {
     bias: FrameBias,
     depth: DepthFormat,
     blend: f32,
+    transparent_casters: TransparentCasters,
     light_size: Option<LightSize>,
     shade: Shade,
 }
@@ -185,6 +189,7 @@ impl Settings {
             depth,
             storage,
             fit,
+            transparent_casters,
             unclipped_depth: _, // with the filter, it says whether casters are flattened
             warp,
             select,
@@ -219,6 +224,7 @@ impl Settings {
                 storage,
                 fit,
                 flattens,
+                transparent_casters,
                 warp,
                 select,
                 blend,
@@ -226,7 +232,14 @@ impl Settings {
                 bias: plan,
                 receiver_plane,
             },
-            frame: FrameKey { bias: frame, depth, blend, light_size: filter.light_size(), shade },
+            frame: FrameKey {
+                bias: frame,
+                depth,
+                blend,
+                transparent_casters,
+                light_size: filter.light_size(),
+                shade,
+            },
             receiver: ReceiverKey {
                 filter: filter.kind(),
                 numbers: filter.numbers(),

@@ -75,7 +75,7 @@ pub use plane::Plane;
 pub use presets::{PRESETS, Preset};
 pub use settings::{
     Bias, CasterFaces, DepthFormat, DepthLayer, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
-    Storage,
+    Storage, TransparentCasters,
 };
 pub use space::Rays;
 pub use split::{Splits, split_distances};

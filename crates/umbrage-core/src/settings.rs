@@ -5,6 +5,7 @@ mod limits;
 pub(crate) mod maps;
 pub(crate) mod shade;
 pub(crate) mod splits;
+mod transparent;
 
 use crate::contact::Contact;
 use crate::error::SettingsError;
@@ -17,6 +18,7 @@ pub use limits::{MAX_LIGHTS, MAX_SPLITS};
 pub use maps::{DepthFormat, Select, Storage};
 pub use shade::Shade;
 pub use splits::Scheme;
+pub use transparent::TransparentCasters;
 
 /// How shadows are made. [`Settings::default`] is the preset `default`. [`crate::schema`] has a row for each setting: what
 /// it does, its range, and what a change of it costs.
@@ -55,6 +57,8 @@ pub struct Settings {
     /// Whether casters between the light and a view's box are flattened onto its near plane. Where not, the near plane
     /// is moved toward the light instead, and depth is coarser. The default is true.
     pub unclipped_depth: bool,
+    /// How casters are drawn that cover only in part. The default is [`TransparentCasters::Dither`].
+    pub transparent_casters: TransparentCasters,
     /// How a map's texels are spent on what is near the eye. The default is [`Warp::None`].
     pub warp: Warp,
     /// How a receiver finds its view. The default is [`Select::Map`].
@@ -89,6 +93,7 @@ impl Default for Settings {
             storage: Storage::Array,
             fit: Fit::Scene,
             unclipped_depth: true,
+            transparent_casters: TransparentCasters::Dither, // the only one that lets through what the caster does
             warp: Warp::None,
             blend: 0.0,
             select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
@@ -125,6 +130,7 @@ impl Settings {
             storage: _,
             fit,
             unclipped_depth: _,
+            transparent_casters: _,
             warp,
             select: _,
             blend,

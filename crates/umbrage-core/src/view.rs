@@ -93,6 +93,24 @@ impl ShadowView {
         self.clip_from_local(DVec3::ZERO) * (point - self.local_origin(DVec3::ZERO)).extend(1.0)
     }
 
+    /// Returns where the tile's upper left texel lies in the lattice of the light's own texels, x right and y down, modulo 2³². The
+    /// lattice begins at the world's origin for a sun, and on the axis of a punctual light.
+    ///
+    /// Where the camera moves a map by whole texels, or not at all, a place of the world stays in the same texel of the lattice:
+    /// of suns under [`Fit::Stable`](crate::Fit::Stable), of spots likewise, and of a point light's faces under every fit.
+    pub fn lattice(&self) -> [u32; 2] {
+        let m = self.clip_from_world;
+        let begin = match self.rays {
+            Rays::Parallel => DVec3::ZERO,
+            Rays::FromApex { apex } => apex + m.row(3).truncate(),
+        };
+        let ndc = m.project_point3(begin);
+        let half = 0.5 * f64::from(self.tile.size);
+        // Whole numbers, or halves where a side is odd: neither may be rounded both ways. What is no number becomes 0.
+        let whole = |texels: f64| (texels * half + 0.25).floor().rem_euclid(2f64.powi(32)) as u32;
+        [-1.0 - ndc.x, ndc.y - 1.0].map(whole)
+    }
+
     /// Returns how much rounding may make of a stored depth and of the one that it is compared with, in maps of a format.
     ///
     /// Mirrors `umbrage_depth_rounding` of the shaders.

@@ -1,6 +1,8 @@
 //! Triangles and worlds as bytes: so that a program which shares no memory with this one, as a web page's worker, can build
 //! the BVH. They are no file format: the program that reads them must be the one that wrote them.
 
+mod coverages;
+
 use bytemuck::pod_collect_to_vec;
 use glam::DVec3;
 use obvhs::bvh2::Bvh2;
@@ -52,7 +54,8 @@ impl World {
     }
 }
 
-fn joined(Triangles { corners, rounding, still, casts }: &Triangles, bvh: Option<&Bvh2>) -> Vec<u8> {
+fn joined(triangles: &Triangles, bvh: Option<&Bvh2>) -> Vec<u8> {
+    let Triangles { corners, rounding, still, casts, coverages } = triangles;
     let nodes = bvh.map_or(&[][..], |bvh| &bvh.nodes);
     let header: Header =
         [corners.len(), nodes.len(), bvh.map_or(0, |bvh| bvh.max_depth)].map(|count| count as u64);
@@ -63,6 +66,7 @@ fn joined(Triangles { corners, rounding, still, casts }: &Triangles, bvh: Option
     bytes.extend_from_slice(bytemuck::cast_slice(rounding));
     bytes.extend(still.iter().chain(casts).map(|yes| u8::from(*yes)));
     bytes.extend_from_slice(bytemuck::cast_slice(nodes));
+    coverages::join(&mut bytes, coverages);
     bytes
 }
 
@@ -76,16 +80,16 @@ fn parted(bytes: &[u8]) -> Option<(Triangles, Option<Bvh2>)> {
     let (rounding, rest) = rest.split_at_checked(triangles.checked_mul(ROUNDING)?)?;
     let (still, rest) = rest.split_at_checked(triangles)?;
     let (casts, rest) = rest.split_at_checked(triangles)?;
-    if rest.len() != nodes.checked_mul(NODE)? {
-        return None;
-    }
-    let bvh = (nodes > 0).then(|| Bvh2 { nodes: pod_collect_to_vec(rest), max_depth, ..Bvh2::default() });
+    let (nodes, rest) = rest.split_at_checked(nodes.checked_mul(NODE)?)?;
+    let bvh =
+        (!nodes.is_empty()).then(|| Bvh2 { nodes: pod_collect_to_vec(nodes), max_depth, ..Bvh2::default() });
     let flags = |bytes: &[u8]| bytes.iter().map(|yes| *yes != 0).collect();
     let triangles = Triangles {
         corners: pod_collect_to_vec(corners),
         rounding: pod_collect_to_vec(rounding),
         still: flags(still),
         casts: flags(casts),
+        coverages: coverages::part(rest, triangles)?,
     };
     Some((triangles, bvh))
 }
@@ -139,9 +143,9 @@ mod tests {
         let triangles = Triangles::in_world(&[[Vec3::ZERO, Vec3::X, Vec3::Y]; 9]);
         assert!(World::from_bytes(&triangles.to_bytes()).is_none(), "triangles are no world");
         let mut lost = bytes;
-        let last = lost.len() - NODE;
-        // All of a node's bits set: it points anywhere.
-        lost[last..].fill(0xff);
+        // All of the last node's bits set: it points anywhere. No coverages follow but their counts.
+        let end = lost.len() - 4 * size_of::<u64>();
+        lost[end - NODE..end].fill(0xff);
         assert!(World::from_bytes(&lost).is_none(), "a node that points outside");
         let nothing = World::of_triangles(Vec::new());
         assert!(World::from_bytes(&nothing.to_bytes()).is_some_and(|world| world.triangles().is_empty()));

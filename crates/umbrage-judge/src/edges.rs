@@ -1,11 +1,13 @@
 //! Where shadows truly end in a picture: how long those edges are, and how far from one a pixel lies.
 //!
-//! An edge runs along every side shared by two judged pixels of which one is lit and one shadowed. Sides are horizontal
+//! An edge runs along every side shared by two judged pixels of which one is lit and one shadowed, by more than half where
+//! glass lets a share of the light through. Sides are horizontal
 //! or vertical, so a slanted edge has more of them than it is long: an edge with unit normal (x, y) has |x| + |y| of them
 //! for each pixel of its length. The normal is estimated from the pixels around, and each side counts 1 / (|x| + |y|):
 //! which is right in every direction, where counting sides and multiplying by π/4 (Cauchy-Crofton) is right only for
 //! the mean of all directions.
 
+use crate::verdict::is_shadow;
 use crate::{Pixel, Truth};
 
 /// The true shadow edges of a picture, pixel by pixel.
@@ -53,7 +55,10 @@ impl Edges {
 }
 
 fn is_edge(a: Pixel, b: Pixel) -> bool {
-    matches!((a, b), (Pixel::Lit, Pixel::Shadowed) | (Pixel::Shadowed, Pixel::Lit))
+    match (a.visibility(), b.visibility()) {
+        (Some(a), Some(b)) => is_shadow(a) != is_shadow(b),
+        (Some(_) | None, None) | (None, Some(_)) => false,
+    }
 }
 
 /// How much edge one side stands for.
@@ -66,12 +71,8 @@ fn side_length(truth: &Truth, x: usize, y: usize, (dx, dy): (usize, usize)) -> f
     let mut mean_offset = glam::Vec2::ZERO;
     for j in (y as i64 - REACH).max(0)..=(y as i64 + REACH + dy as i64).min(height - 1) {
         for i in (x as i64 - REACH).max(0)..=(x as i64 + REACH + dx as i64).min(width - 1) {
-            let lit = match truth.pixels[(j * width + i) as usize] {
-                Pixel::Lit => 1.0,
-                Pixel::Shadowed => 0.0,
-                Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous => {
-                    continue;
-                }
+            let Some(lit) = truth.pixels[(j * width + i) as usize].visibility() else {
+                continue;
             };
             let offset = glam::Vec2::new(i as f32 - centre_x, j as f32 - centre_y);
             let weight = (-offset.length_squared() / 6.0).exp();

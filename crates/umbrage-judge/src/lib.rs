@@ -12,14 +12,16 @@
 //!
 //! This crate does not: know a shadow map, a plan or a setting, draw, or touch a GPU. It shares no code with what it
 //! judges: cameras and lights are descriptions, and it makes its own rays of them. It knows no area lights but as points
-//! sampled on a disc ([`soft`]), not how strong a light is, and no transparent surfaces: what has triangles casts a whole
-//! shadow. On wasm32, FLIP is missing.
+//! sampled on a disc ([`soft`]), not how strong a light is, and no light that is bent, tinted or reflected: what glass lets
+//! through goes straight on. On wasm32, FLIP is missing.
 
 pub mod statistics;
 pub mod temporal;
 
+mod bent;
 mod bytes;
 mod causes;
+mod coverage;
 mod deviation;
 mod edges;
 mod error;
@@ -27,9 +29,11 @@ mod eye;
 #[cfg(not(target_arch = "wasm32"))]
 mod flip;
 mod light;
+mod passage;
 mod pool;
 mod progress;
 mod shadow_ray;
+mod sight;
 mod smooth;
 mod triangle;
 mod triangles;

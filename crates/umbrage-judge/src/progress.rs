@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::truth::{central_ray, pixel, receiver, surface};
+use crate::sight::{Sight, surface};
+use crate::truth::{central_ray, pixel};
 use crate::{Eye, Hit, Light, Pixel, Receiver, Tally, Truth, Verdict, World};
 
 mod tile;
@@ -56,17 +57,17 @@ impl Progress {
     fn trace(&mut self, tile: &Tile) {
         let Self { world, eye, distance, .. } = self;
         let places: Vec<usize> = tile.samples().map(|(x, y)| index(eye, x, y)).collect();
-        let receivers: Vec<Option<Receiver>> =
-            places.par_iter().map(|i| receiver(world, eye, &central_ray(eye, *i))).collect();
+        let sights: Vec<Sight> =
+            places.par_iter().map(|i| Sight::new(world, eye, &central_ray(eye, *i))).collect();
         for (light, pixels) in self.lights.iter().zip(&mut self.pixels) {
-            let truth = |receiver: &Option<Receiver>| pixel(world, light, receiver.as_ref(), *distance);
-            let traced: Vec<Pixel> = receivers.par_iter().map(truth).collect();
+            let truth = |sight: &Sight| pixel(world, light, sight, *distance);
+            let traced: Vec<Pixel> = sights.par_iter().map(truth).collect();
             for (i, pixel) in places.iter().zip(traced) {
                 pixels[*i] = Some(pixel);
             }
         }
         let hit = |of: Receiver| Hit { distance: of.depth, triangle: of.triangle };
-        self.hits.extend(receivers.into_iter().map(|receiver| receiver.map(hit)));
+        self.hits.extend(sights.into_iter().map(|sight| sight.receiver.map(hit)));
     }
 
     /// Returns the share of the picture's pixels that are traced, 0 to 1.
@@ -85,6 +86,14 @@ impl Progress {
     /// When there is no such light.
     pub fn pixels(&self, light: usize) -> &[Option<Pixel>] {
         &self.pixels[light]
+    }
+
+    /// Whether a share of any of the lights reaches a pixel that is traced.
+    ///
+    /// # Panics
+    /// When there is no such pixel.
+    pub fn is_partial(&self, pixel: usize) -> bool {
+        self.pixels.iter().any(|pixels| matches!(pixels[pixel], Some(Pixel::Partial(_))))
     }
 
     /// Returns the traced pixel that stands for a pixel: itself, or the nearest upper left one of a pass before. `None`

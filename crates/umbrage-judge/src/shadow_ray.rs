@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use crate::passage::Passage;
 use crate::triangles::HALF_ULP;
 use crate::{Light, Ray, Receiver, World};
 
@@ -91,7 +92,7 @@ pub(crate) fn turn(light: &Light, distance: f64) -> f64 {
     }
 }
 
-/// Whether anything is between a receiver and a light, so many ε off both.
-pub(crate) fn is_shadowed(world: &World, light: &Light, receiver: &Receiver, epsilons: f64) -> bool {
-    world.is_cast_on(&ShadowRay::of(world, light, receiver, epsilons), 0.0)
+/// How much light comes from a light to a receiver, so many ε off both.
+pub(crate) fn passage(world: &World, light: &Light, receiver: &Receiver, epsilons: f64) -> Passage {
+    world.passage(&ShadowRay::of(world, light, receiver, epsilons), 0.0)
 }

@@ -5,8 +5,9 @@ use std::borrow::Cow;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::shadow_ray::is_shadowed;
-use crate::truth::{Receiver, can_be_lit, receiver};
+use crate::shadow_ray::passage;
+use crate::sight::receiver;
+use crate::truth::{Receiver, can_be_lit};
 use crate::{Light, Toward, Truth, World};
 
 /// A truth between lit and shadowed: the visibility of every pixel, from 0 to 1.
@@ -24,16 +25,16 @@ pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
     let Truth { eye, light, .. } = truth;
     let width = eye.width as usize;
     let visibility = per_judged_pixel(truth, |i, _| {
-        let (mut lit, mut points) = (0u32, 0u32);
+        let (mut lit, mut points) = (0.0, 0u32);
         for j in 0..side * side {
             let place = |pixel: usize, step: u32| pixel as f64 + (f64::from(step) + 0.5) / f64::from(side);
             let ray = eye.ray(place(i % width, j % side), place(i / width, j / side));
             if let Some(receiver) = receiver(world, eye, &ray).filter(|r| can_be_lit(light, r)) {
                 points += 1;
-                lit += u32::from(!is_shadowed(world, light, &receiver, 1.0));
+                lit += passage(world, light, &receiver, 1.0).share;
             }
         }
-        (lit as f32 / points.max(1) as f32, 0.0)
+        ((lit / f64::from(points.max(1))) as f32, 0.0)
     });
     split(visibility)
 }
@@ -67,8 +68,10 @@ pub fn soft(world: &World, truth: &Truth, radius: f64, samples: u32) -> Smooth {
 
 /// The share of some lights that reaches a receiver, and its standard error: that of the mean of the sets' own shares.
 fn share_reached(world: &World, receiver: &Receiver, sets: &[Vec<Light>]) -> (f32, f32) {
-    let reaches = |light: &&Light| can_be_lit(light, receiver) && !is_shadowed(world, light, receiver, 1.0);
-    let share = |set: &Vec<Light>| set.iter().filter(reaches).count() as f64 / set.len().max(1) as f64;
+    let reached = |light: &Light| {
+        if can_be_lit(light, receiver) { passage(world, light, receiver, 1.0).share } else { 0.0 }
+    };
+    let share = |set: &Vec<Light>| set.iter().map(reached).sum::<f64>() / set.len().max(1) as f64;
     let interval = crate::statistics::Interval::of(sets.iter().map(share).collect());
     (interval.mean() as f32, interval.standard_error() as f32)
 }

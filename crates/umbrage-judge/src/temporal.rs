@@ -6,8 +6,9 @@
 
 use glam::DVec3;
 
-use crate::shadow_ray::is_shadowed;
-use crate::truth::{can_be_lit, receiver};
+use crate::shadow_ray::passage;
+use crate::sight::receiver;
+use crate::truth::can_be_lit;
 use crate::verdict::is_shadow;
 use crate::{Eye, Light, World};
 
@@ -84,14 +85,15 @@ pub fn anchors(
         .collect()
 }
 
-/// Traces the true visibility of anchors at one time, each 0 or 1; NaN where the light does not shine.
+/// Traces the true visibility of anchors at one time, each 0 to 1, and one of the two where nothing lets light through; NaN
+/// where the light does not shine.
 pub fn visibility(world: &World, light: &Light, anchors: &[Anchor]) -> Vec<f32> {
     use rayon::prelude::*;
     let visibility = |anchor: &Anchor| {
         let Anchor { position, normal, lift } = *anchor;
         let receiver = crate::Receiver { position, normal, depth: 0.0, triangle: 0, lift, tilt: 0.0 };
         match light.toward(anchor.position) {
-            Some(_) => f32::from(u8::from(!is_shadowed(world, light, &receiver, 1.0))),
+            Some(_) => passage(world, light, &receiver, 1.0).share as f32,
             None => f32::NAN,
         }
     };

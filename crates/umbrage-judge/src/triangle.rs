@@ -43,6 +43,17 @@ impl Ray {
     /// Returns the distance along the ray at which it hits the triangle, from either side; `None` where it misses, or the
     /// triangle lies behind its origin.
     pub fn hit(&self, triangle: &[DVec3; 3]) -> Option<f64> {
+        self.meet(triangle).map(|(distance, _)| distance)
+    }
+
+    /// How much each corner of a triangle counts where the ray hits it; the first alone where it misses.
+    pub(crate) fn weights(&self, triangle: &[DVec3; 3]) -> [f64; 3] {
+        self.meet(triangle).map_or([1.0, 0.0, 0.0], |(_, weights)| weights)
+    }
+
+    /// The distance, and how much each corner counts there.
+    #[inline]
+    fn meet(&self, triangle: &[DVec3; 3]) -> Option<(f64, [f64; 3])> {
         let [x, y, z] = self.axes;
         let [a, b, c] = triangle.map(|corner| {
             let from_origin = corner - self.origin;
@@ -58,7 +69,7 @@ impl Ray {
             return None;
         }
         let distance = (u * a.1 + v * b.1 + w * c.1) / determinant;
-        (distance >= 0.0).then_some(distance)
+        (distance >= 0.0).then(|| (distance, [u, v, w].map(|edge| edge / determinant)))
     }
 }
 
@@ -79,6 +90,16 @@ mod tests {
         assert_eq!(Ray::new(DVec3::new(0.6, 0.6, 3.0), DVec3::NEG_Z).hit(&TRIANGLE), None, "beside it");
         assert_eq!(Ray::new(DVec3::new(0.25, 0.25, 3.0), DVec3::Z).hit(&TRIANGLE), None, "behind");
         assert_eq!(Ray::new(DVec3::new(0.25, 0.25, 3.0), DVec3::X).hit(&TRIANGLE), None, "parallel");
+    }
+
+    #[test]
+    fn corners_count_the_more_the_nearer_they_are() {
+        let ray = Ray::new(DVec3::new(0.25, 0.5, 3.0), DVec3::NEG_Z);
+        assert_eq!(ray.weights(&TRIANGLE), [0.25, 0.25, 0.5]);
+        let turned = [TRIANGLE[0], TRIANGLE[2], TRIANGLE[1]];
+        assert_eq!(ray.weights(&turned), [0.25, 0.5, 0.25], "the other way round");
+        let beside = Ray::new(DVec3::new(2.0, 0.5, 3.0), DVec3::NEG_Z);
+        assert_eq!(beside.weights(&TRIANGLE), [1.0, 0.0, 0.0]);
     }
 
     proptest! {

@@ -7,6 +7,10 @@
 use glam::{DMat3, DVec3, Mat4, Vec3};
 use umbrage_scene::{Pose, Scene};
 
+use crate::bent::{self, Vertex};
+use crate::coverage::Coverages;
+use crate::coverage::gather::Gathering;
+
 /// The triangles of a world in any order, before a BVH is built over them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
@@ -18,29 +22,39 @@ pub struct Triangles {
     pub(crate) still: Vec<bool>,
     /// Whether each triangle casts shadows.
     pub(crate) casts: Vec<bool>,
+    /// How much of their place those cover that are not solid.
+    pub(crate) coverages: Coverages,
 }
 
 /// The most that rounding changes an f32 by, as a share of it.
 pub(crate) const HALF_ULP: f64 = 1.0 / 16_777_216.0;
 
 impl Triangles {
-    /// Collects every triangle of a scene in a pose.
+    /// Collects every triangle of a scene that is seen in a pose, as it is bent there.
     pub fn of(scene: &Scene, pose: &Pose) -> Self {
         let mut all = Self { corners: Vec::with_capacity(scene.triangles()), ..Self::default() };
-        for instance in &scene.instances {
+        let mut coverages = Gathering::new(scene);
+        let visible = scene.instances.iter().enumerate().filter(|(_, instance)| instance.is_visible_in(pose));
+        for (i, instance) in visible {
+            let bent = bent::vertices(scene, instance, pose);
             let mesh = &scene.meshes[instance.mesh];
             let place = Place::new(&instance.world_from_mesh_in(pose));
             for part in &mesh.parts {
+                coverages.add(i, mesh, part, all.corners.len());
                 let material = scene.materials.get(part.material);
                 let casts = instance.casts && material.is_none_or(|material| material.casts);
                 let indices = &mesh.indices[part.indices.start as usize..part.indices.end as usize];
                 for triangle in indices.as_chunks().0.iter().map(|t: &[u32; 3]| t) {
-                    all.push(&place, triangle.map(|i| mesh.positions[i as usize]));
+                    match &bent {
+                        Some(vertices) => all.push_bent(triangle.map(|i| vertices[i as usize])),
+                        None => all.push(&place, triangle.map(|i| mesh.positions[i as usize])),
+                    }
                 }
                 all.casts.resize(all.corners.len(), casts);
             }
             all.still.resize(all.corners.len(), !instance.is_dynamic());
         }
+        all.coverages = coverages.finish();
         all
     }
 
@@ -62,6 +76,13 @@ impl Triangles {
         self.corners.push(corners);
     }
 
+    fn push_bent(&mut self, vertices: [Vertex; 3]) {
+        let corners = vertices.map(|vertex| vertex.position);
+        let moved = vertices.into_iter().fold(DVec3::ZERO, |most, vertex| most.max(vertex.moved));
+        self.rounding.push(normal(&corners).abs().dot(moved) as f32);
+        self.corners.push(corners);
+    }
+
     /// Only triangles whose corners are finite.
     pub(crate) fn finite(self) -> Self {
         let is_finite = |i: &usize| self.corners[*i].iter().all(|corner| corner.is_finite());
@@ -71,12 +92,13 @@ impl Triangles {
 
     /// The triangles with these indices, in their order.
     pub(crate) fn in_order(&self, order: impl Iterator<Item = usize> + Clone) -> Self {
-        let Self { corners, rounding, still, casts } = self;
+        let Self { corners, rounding, still, casts, coverages } = self;
         Self {
             corners: order.clone().map(|i| corners[i]).collect(),
             rounding: order.clone().map(|i| rounding[i]).collect(),
             still: order.clone().map(|i| still[i]).collect(),
-            casts: order.map(|i| casts[i]).collect(),
+            casts: order.clone().map(|i| casts[i]).collect(),
+            coverages: coverages.in_order(order),
         }
     }
 

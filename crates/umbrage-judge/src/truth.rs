@@ -1,8 +1,8 @@
 //! What a camera sees, and whether the light reaches it: exactly, pixel by pixel.
 //!
-//! A pixel is judged by the ray through its centre: the first triangle it meets, and from there a ray to the light, lifted
-//! off the surface by ε. A light that stands in the world may stand on a surface too: what is within ε of it is not before
-//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged. Nor are pixels whose surface is turned
+//! A pixel is judged by the ray through its centre: the first surface it meets (`sight.rs`), and from there a ray to the
+//! light, lifted off the surface by ε. What that meets may let a share of the light through (`passage.rs`). A light that stands in the world may stand on a surface too: what is within ε of it is not before
+//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged; nor where a mask may cover or not, and it matters. Nor are pixels whose surface is turned
 //! away from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
 //!
 //! ε, and the angle at which a surface begins to face a light, are what rounding of the world's f32 numbers may have done to
@@ -12,10 +12,12 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::shadow_ray::{is_shadowed, loss_of_sight, turn};
-use crate::{Eye, Hit, Light, Ray, Toward, World};
+use crate::passage::Passage;
+use crate::shadow_ray::{passage, turn};
+use crate::sight::Sight;
+use crate::{Eye, Light, Ray, Toward, World};
 
-/// A receiver is the first surface that a pixel's ray meets.
+/// A receiver is the first surface that a pixel's ray meets: the first that covers at least half of its place there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Receiver {
     /// The point in world space, in metres.
@@ -33,7 +35,7 @@ pub struct Receiver {
 }
 
 /// The truth of a pixel: whether it is judged, and whether the light reaches it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pixel {
     /// The pixel shows no surface.
     Sky,
@@ -43,25 +45,50 @@ pub enum Pixel {
     TurnedAway,
     /// The surface is farther away than shadows are asked for.
     Beyond,
-    /// It depends on rounding whether the light reaches the surface, or whether the surface faces it.
+    /// It depends on rounding whether the light reaches the surface, or whether the surface faces it, or which surface it is.
     Ambiguous,
     /// The light reaches the surface.
     Lit,
     /// Something blocks the light.
     Shadowed,
+    /// What is in the way lets this share of the light through, above 0 and below 1: the product of what each surface does
+    /// not cover.
+    Partial(f32),
 }
 
+/// By how much the visibility of a pixel may change, where rounding decides, without its being ambiguous: half a step of the
+/// 8 bits that pictures have.
+const SAME: f64 = 0.5 / 255.0;
+
 impl Pixel {
-    /// Whether results are judged at this pixel: it is lit or shadowed for sure.
+    /// The truth of a judged pixel that a share of the light reaches.
+    fn reached(share: f64) -> Self {
+        match share as f32 {
+            share if share <= 0.0 => Self::Shadowed,
+            share if share >= 1.0 => Self::Lit,
+            share => Self::Partial(share),
+        }
+    }
+
+    /// Whether two truths of a pixel are the same but for rounding.
+    fn is_as(self, other: Self) -> bool {
+        match (self.visibility(), other.visibility()) {
+            (Some(a), Some(b)) => f64::from(a - b).abs() <= SAME,
+            (Some(_) | None, None) | (None, Some(_)) => self == other,
+        }
+    }
+
+    /// Whether results are judged at this pixel: it is known for sure how much of the light reaches it.
     pub fn is_judged(self) -> bool {
         self.visibility().is_some()
     }
 
-    /// Returns the true visibility: 1 where lit, 0 where shadowed; `None` where results are not judged.
+    /// Returns the true visibility: 1 where lit, 0 where shadowed, the share of light between; `None` where results are not judged.
     pub fn visibility(self) -> Option<f32> {
         match self {
             Self::Lit => Some(1.0),
             Self::Shadowed => Some(0.0),
+            Self::Partial(share) => Some(share),
             Self::Sky | Self::Unreached | Self::TurnedAway | Self::Beyond | Self::Ambiguous => None,
         }
     }
@@ -95,8 +122,8 @@ impl Truth {
             .into_par_iter()
             .with_min_len(width)
             .map(|i| {
-                let receiver = receiver(world, eye, &central_ray(eye, i));
-                (receiver, pixel(world, light, receiver.as_ref(), distance))
+                let sight = Sight::new(world, eye, &central_ray(eye, i));
+                (sight.receiver, pixel(world, light, &sight, distance))
             })
             .unzip();
         Self { eye: *eye, light: *light, receivers, pixels }
@@ -105,6 +132,11 @@ impl Truth {
     /// Returns the number of pixels with that truth.
     pub fn count(&self, wanted: Pixel) -> usize {
         self.pixels.iter().filter(|pixel| **pixel == wanted).count()
+    }
+
+    /// Returns the number of pixels that a share of the light reaches.
+    pub fn partial(&self) -> usize {
+        self.pixels.iter().filter(|pixel| matches!(pixel, Pixel::Partial(_))).count()
     }
 
     /// Returns the number of judged pixels.
@@ -117,21 +149,6 @@ impl Truth {
 pub(crate) fn central_ray(eye: &Eye, pixel: usize) -> Ray {
     let width = eye.width.max(1) as usize;
     eye.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5)
-}
-
-/// The first surface along a ray of the eye.
-pub(crate) fn receiver(world: &World, eye: &Eye, ray: &Ray) -> Option<Receiver> {
-    world.first_hit(ray, eye.near, eye.far).map(|hit| surface(world, ray, hit))
-}
-
-/// The surface that a ray of the eye meets.
-pub(crate) fn surface(world: &World, ray: &Ray, Hit { distance, triangle }: Hit) -> Receiver {
-    let normal = world.normal(triangle);
-    let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
-    let position = ray.at(distance);
-    let lost = loss_of_sight(world, position, distance * ray.direction.length());
-    let (lift, tilt) = (world.triangles.lift(triangle) + lost, world.triangles.tilt(triangle));
-    Receiver { position, normal, depth: distance, triangle, lift, tilt }
 }
 
 /// Whether a receiver's surface faces a light; `None` where rounding decides.
@@ -147,8 +164,15 @@ pub(crate) fn can_be_lit(light: &Light, receiver: &Receiver) -> bool {
     light.toward(receiver.position).is_some_and(|toward| faces(light, receiver, &toward) == Some(true))
 }
 
+/// What is true of a pixel: of what it sees, where that is the same whatever rounding decides.
+pub(crate) fn pixel(world: &World, light: &Light, sight: &Sight, distance: f64) -> Pixel {
+    let of = |receiver: &Option<Receiver>| of_receiver(world, light, receiver.as_ref(), distance);
+    let pixel = of(&sight.receiver);
+    if sight.doubts.iter().all(|other| pixel.is_as(of(other))) { pixel } else { Pixel::Ambiguous }
+}
+
 /// What is true of a pixel with this first surface, or none.
-pub(crate) fn pixel(world: &World, light: &Light, receiver: Option<&Receiver>, distance: f64) -> Pixel {
+fn of_receiver(world: &World, light: &Light, receiver: Option<&Receiver>, distance: f64) -> Pixel {
     let Some(receiver) = receiver else {
         return Pixel::Sky;
     };
@@ -165,10 +189,8 @@ pub(crate) fn pixel(world: &World, light: &Light, receiver: Option<&Receiver>, d
     if faces.is_none() {
         return Pixel::Ambiguous;
     }
-    let shadowed = |epsilons| is_shadowed(world, light, receiver, epsilons);
-    match (shadowed(1.0), shadowed(2.0)) {
-        (true, true) => Pixel::Shadowed,
-        (false, false) => Pixel::Lit,
-        _ => Pixel::Ambiguous,
-    }
+    let Passage { share, range: [least, most] } = passage(world, light, receiver, 1.0);
+    let farther = passage(world, light, receiver, 2.0).range;
+    let is_sure = most.max(farther[1]) - least.min(farther[0]) <= SAME;
+    if is_sure { Pixel::reached(share) } else { Pixel::Ambiguous }
 }

@@ -16,25 +16,37 @@ pub enum Verdict {
     NotJudged,
     /// The result agrees with the truth.
     Right,
-    /// The result shadows the pixel, and the truth lights it.
+    /// The result shadows the pixel, and the truth lights it, at least by half more.
     FalseShadow,
-    /// The result lights the pixel, and the truth shadows it.
+    /// The result lights the pixel, and the truth shadows it, at least by half more.
     FalseLight,
 }
 
 impl Verdict {
     /// Compares a result's visibility, 0 to 1, with the truth, which is `None` where it is not traced. A visibility below
-    /// one half is a shadow.
+    /// one half is a shadow. Where a share of the light truly reaches the pixel, a visibility is wrong that is more than one
+    /// half away from the share.
     pub fn new(truth: Option<Pixel>, visibility: f32) -> Self {
         match (truth, is_shadow(visibility)) {
             (None, _) => Self::NotTraced,
             (Some(Pixel::Lit), true) => Self::FalseShadow,
             (Some(Pixel::Shadowed), false) => Self::FalseLight,
             (Some(Pixel::Lit), false) | (Some(Pixel::Shadowed), true) => Self::Right,
+            (Some(Pixel::Partial(share)), _) => Self::of_share(share, visibility),
             (
                 Some(Pixel::Sky | Pixel::Unreached | Pixel::TurnedAway | Pixel::Beyond | Pixel::Ambiguous),
                 _,
             ) => Self::NotJudged,
+        }
+    }
+
+    fn of_share(share: f32, visibility: f32) -> Self {
+        // NaN stands for light.
+        let visibility = if visibility.is_nan() { 1.0 } else { visibility };
+        match visibility - share {
+            more if more > 0.5 => Self::FalseLight,
+            less if less < -0.5 => Self::FalseShadow,
+            _ => Self::Right,
         }
     }
 
@@ -143,6 +155,29 @@ mod tests {
         let shares = [tally.mis_shadowed(), tally.false_shadow_share(), tally.false_light_share()];
         assert_eq!(shares, [0.5, 0.25, 0.25]);
         assert_eq!(Tally::default().mis_shadowed(), 0.0, "nothing is judged yet");
+    }
+
+    #[test]
+    fn where_a_share_of_the_light_comes_through_more_than_a_half_away_is_wrong() {
+        for (share, visibility, verdict) in [
+            (0.9, 0.5, Verdict::Right),
+            (0.9, 0.25, Verdict::FalseShadow),
+            (0.75, 0.25, Verdict::Right),
+            (0.25, 0.75, Verdict::Right),
+            (0.25, 0.8, Verdict::FalseLight),
+            (0.5, 0.0, Verdict::Right),
+            (0.5, 1.0, Verdict::Right),
+            (0.25, f32::NAN, Verdict::FalseLight),
+        ] {
+            assert_eq!(
+                Verdict::new(Some(Pixel::Partial(share)), visibility),
+                verdict,
+                "{share}, {visibility}"
+            );
+        }
+        let mut tally = Tally::default();
+        tally.count(Some(Pixel::Partial(0.75)), 0.5);
+        assert_eq!((tally.judged, tally.mae()), (1, 0.25));
     }
 
     #[test]

@@ -11,7 +11,9 @@ use obvhs::ray::RayHit;
 use umbrage_scene::{Pose, Scene};
 
 use crate::Ray;
-use crate::shadow_ray::ShadowRay;
+use crate::coverage::{Coverage, SEEN};
+use crate::passage::{Layer, Layers, Passage};
+use crate::shadow_ray::{ShadowRay, loss};
 use crate::triangles::{Triangles, normal};
 use crate::unit_box::{MARGIN, UnitBox};
 
@@ -99,20 +101,38 @@ impl World {
         self.first(ray, from, to, |_, _| true)
     }
 
-    /// Whether a ray meets any triangle that casts shadows, at a distance from `from` to below `to`, in multiples of its
-    /// direction.
+    /// Whether a ray meets triangles that cast shadows and let no light through, at a distance from `from` to below `to`, in
+    /// multiples of its direction.
     pub fn is_blocked(&self, ray: &Ray, from: f64, to: f64) -> bool {
-        self.any(ray, from, to, |triangle, _| self.triangles.casts[triangle])
+        self.transmitted(ray, from, to) <= 0.0
     }
 
-    /// Whether anything casts a shadow along a ray to a light, from `from` metres on.
-    pub(crate) fn is_cast_on(&self, to_light: &ShadowRay, from: f64) -> bool {
-        self.any(&to_light.ray, from, to_light.end, |triangle, at| to_light.is_cast_by(self, triangle, at))
+    /// Returns the share of light, 0 to 1, that triangles which cast shadows let through along a ray, at distances from `from`
+    /// to below `to`, in multiples of its direction: the product of what each surface does not cover.
+    pub fn transmitted(&self, ray: &Ray, from: f64, to: f64) -> f64 {
+        self.past(ray, from, to, |triangle, _| self.triangles.casts[triangle]).share
     }
 
-    /// The nearest of what casts a shadow along a ray to a light.
+    /// How much light comes along a ray to a light past what casts a shadow there, from `from` metres on.
+    pub(crate) fn passage(&self, to_light: &ShadowRay, from: f64) -> Passage {
+        self.past(&to_light.ray, from, to_light.end, |triangle, at| to_light.is_cast_by(self, triangle, at))
+    }
+
+    /// The nearest of what casts some shadow along a ray to a light.
     pub(crate) fn first_caster(&self, to_light: &ShadowRay) -> Option<Hit> {
-        self.first(&to_light.ray, 0.0, to_light.end, |triangle, at| to_light.is_cast_by(self, triangle, at))
+        self.first(&to_light.ray, 0.0, to_light.end, |triangle, at| {
+            to_light.is_cast_by(self, triangle, at) && self.coverage(&to_light.ray, triangle).value > 0.0
+        })
+    }
+
+    /// The nearest triangle along a ray that an eye may take for a surface, if rounding decides so.
+    pub(crate) fn first_seen(&self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
+        self.first(ray, from, to, |triangle, _| self.coverage(ray, triangle).range[1] >= SEEN)
+    }
+
+    /// How much of its place a triangle covers where a ray meets it.
+    pub(crate) fn coverage(&self, ray: &Ray, triangle: usize) -> Coverage {
+        self.triangles.coverages.at(triangle, || ray.weights(&self.triangles.corners[triangle]))
     }
 
     fn first(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> Option<Hit> {
@@ -132,16 +152,41 @@ impl World {
         first
     }
 
-    fn any(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> bool {
+    /// What comes past all triangles that count.
+    fn past(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> Passage {
         let (Some(walk), Some(bvh)) = (self.cube.walk(ray, from, to), &self.bvh) else {
+            return Passage::ALL;
+        };
+        let mut layers = Layers::default();
+        // The walk ends at the first triangle that covers all for sure.
+        let is_open = bvh.ray_traverse_miss(walk.ray, |_, triangle| {
+            let hit = ray.hit(&self.triangles.corners[triangle]);
+            match hit.filter(|distance| *distance >= from && *distance < to && counts(triangle, *distance)) {
+                Some(distance) if self.is_open(ray, triangle, distance, &mut layers) => f32::INFINITY,
+                Some(_) => 0.0,
+                None => f32::INFINITY,
+            }
+        });
+        if is_open { layers.passage() } else { Passage::NONE }
+    }
+
+    /// Whether a triangle may let anything through where a ray meets it; if so it becomes one of the layers.
+    fn is_open(&self, ray: &Ray, triangle: usize, distance: f64, layers: &mut Layers) -> bool {
+        let Some(surface) = self.triangles.coverages.surface(triangle) else {
             return false;
         };
-        !bvh.ray_traverse_miss(walk.ray, |_, triangle| {
-            let hit = ray
-                .hit(&self.triangles.corners[triangle])
-                .is_some_and(|distance| distance >= from && distance < to && counts(triangle, distance));
-            if hit { 0.0 } else { f32::INFINITY }
-        })
+        let coverage = self.coverage(ray, triangle);
+        let [least, most] = coverage.doubt();
+        if least >= 1.0 {
+            return false;
+        }
+        if most <= 0.0 {
+            return true;
+        }
+        let off_plane = self.triangles.lift(triangle) + loss(self, ray.at(distance));
+        let slack = off_plane / self.normal(triangle).dot(ray.direction).abs();
+        layers.add(Layer { surface, distance, slack, coverage });
+        true
     }
 
     /// Returns the unit normal of a triangle, by its winding; zero for one without area.
@@ -233,7 +278,7 @@ mod tests {
                 let casters = hits.filter(|(i, d)| to_light.is_cast_by(&world, *i, *d)).map(|(_, d)| d);
                 let by_force = casters.min_by(f64::total_cmp);
                 prop_assert_eq!(world.first_caster(&to_light).map(|hit| hit.distance), by_force);
-                prop_assert_eq!(world.is_cast_on(&to_light, 0.0), by_force.is_some());
+                prop_assert_eq!(world.passage(&to_light, 0.0).share < 1.0, by_force.is_some());
             }
         }
     }

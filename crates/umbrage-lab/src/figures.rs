@@ -70,6 +70,7 @@ pub const ALL: &[Figure] = &[
     figure("texels", "texels", Format::Count),
     figure("bytes", "memory", Format::Bytes),
     figure("milliseconds.plan.median", "plan", Format::Milliseconds),
+    figure("milliseconds.deform.median", "bending", Format::Milliseconds),
     figure("milliseconds.casters.median", "casters", Format::Milliseconds),
     figure("milliseconds.filter.median", "filter", Format::Milliseconds),
     figure("milliseconds.shade.median", "shading", Format::Milliseconds),
@@ -104,9 +105,10 @@ impl Figure {
     /// Returns the spread over all timed frames of a figure that is a time; `None` for other figures, and where nothing was
     /// timed.
     pub fn spread_of(&self, measurement: &Measurement) -> Option<Spread> {
-        let Milliseconds { plan, casters, filter, shade, frame } = measurement.milliseconds?;
+        let Milliseconds { plan, deform, casters, filter, shade, frame } = measurement.milliseconds?;
         match self.key {
             "milliseconds.plan.median" => Some(plan),
+            "milliseconds.deform.median" => Some(deform),
             "milliseconds.casters.median" => Some(casters),
             "milliseconds.filter.median" => Some(filter),
             "milliseconds.shade.median" => Some(shade),

@@ -41,6 +41,7 @@ impl Judgement {
             pixels: truth.judged(),
             ambiguous: truth.count(Pixel::Ambiguous),
             shadowed: truth.count(Pixel::Shadowed),
+            partial: truth.partial(),
             edge_px: edges.length(),
             standard_error: smooth.map_or(0.0, |smooth| mean_error(truth, smooth)),
         };
@@ -74,6 +75,7 @@ pub(crate) fn pooled(judgements: &[Judgement]) -> TruthCounts {
         pixels: sum.pixels + counts.pixels,
         ambiguous: sum.ambiguous + counts.ambiguous,
         shadowed: sum.shadowed + counts.shadowed,
+        partial: sum.partial + counts.partial,
         edge_px: sum.edge_px + counts.edge_px,
         standard_error: sum.standard_error + counts.standard_error * counts.pixels as f64,
     });

@@ -141,7 +141,10 @@ impl<'a> Laboratory<'a> {
                 .map(|judgement| judgement.around_cuts.clone())
                 .unwrap_or_default(),
             milliseconds: (!times.is_empty()).then(|| Milliseconds::of(&times)),
-            every_frame: times.iter().map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter]).collect(),
+            every_frame: times
+                .iter()
+                .map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter, t.deform])
+                .collect(),
             flicker: None,
         };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };

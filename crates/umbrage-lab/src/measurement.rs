@@ -53,8 +53,9 @@ pub struct Measurement {
     pub around_cuts: Vec<[DepthBand; 2]>,
     /// The times of a frame's stages; absent where nothing was timed.
     pub milliseconds: Option<Milliseconds>,
-    /// The times of every timed frame in milliseconds, in order: plan, casters, shade, frame, filter.
-    pub every_frame: Vec<[f64; 5]>,
+    /// The times of every timed frame in milliseconds, in order: plan, casters, shade, frame, filter,
+    /// bending.
+    pub every_frame: Vec<[f64; 6]>,
     /// How unsteady shadows are along the path; absent for a single picture.
     pub flicker: Option<Flicker>,
 }
@@ -91,8 +92,11 @@ pub struct TruthCounts {
     pub pixels: usize,
     /// The number of pixels left out because their truth depends on rounding.
     pub ambiguous: usize,
-    /// The number of judged pixels that are truly shadowed.
+    /// The number of judged pixels that are truly shadowed: none of the light reaches them.
     pub shadowed: usize,
+    /// The number of judged pixels that a share of the light truly reaches, through glass.
+    #[serde(default)]
+    pub partial: usize,
     /// The length of all true shadow edges, in pixels.
     pub edge_px: f64,
     /// The mean standard error of a pixel's visibility in a soft truth, which says how far its points were too few; 0 for
@@ -105,6 +109,9 @@ pub struct TruthCounts {
 pub struct Milliseconds {
     /// The time of planning, culling and upload, on the CPU.
     pub plan: Spread,
+    /// The time of bending meshes by joints and morph targets, once for all views.
+    #[serde(default)]
+    pub deform: Spread,
     /// The time of all caster passes.
     pub casters: Spread,
     /// The time that it takes to make of the maps what lookups read: moments, blurs, sums.
@@ -122,6 +129,7 @@ impl Milliseconds {
         let of = |pick: fn(&FrameTimes) -> f64| Spread::of(times.iter().map(pick).collect());
         Self {
             plan: of(|t| t.plan),
+            deform: of(|t| t.deform),
             casters: of(|t| t.casters),
             filter: of(|t| t.filter),
             shade: of(|t| t.shade),

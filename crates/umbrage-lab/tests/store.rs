@@ -73,7 +73,14 @@ fn outcome(run: &Run) -> Outcome {
         settings: run.settings.clone(),
         texels: u64::MAX,
         bytes: 4,
-        truth: TruthCounts { pixels: 9, ambiguous: 1, shadowed: 4, edge_px: 0.7, standard_error: 0.1 },
+        truth: TruthCounts {
+            pixels: 9,
+            ambiguous: 1,
+            shadowed: 4,
+            partial: 2,
+            edge_px: 0.7,
+            standard_error: 0.1,
+        },
         error: Some(Error {
             mis_shadowed: 0.3,
             false_shadow: 0.1,
@@ -96,12 +103,13 @@ fn outcome(run: &Run) -> Outcome {
         around_cuts: vec![[band.clone(), band]],
         milliseconds: Some(Milliseconds {
             plan: spread,
+            deform: spread,
             casters: spread,
             filter: spread,
             shade: spread,
             frame: spread,
         }),
-        every_frame: frames.chunks_exact(5).map(|f| [f[0], f[1], f[2], f[3], f[4]]).collect(),
+        every_frame: frames.chunks_exact(6).map(|f| [f[0], f[1], f[2], f[3], f[4], f[5]]).collect(),
         flicker: Some(Flicker { points: 3, shimmer: 0.123_456_789_012_345_68, ..Flicker::default() }),
     };
     let machine = Machine {
@@ -139,7 +147,7 @@ fn a_result_reads_back_bit_for_bit() {
     let (_folder, store) = store_of(&[]);
     let mut written = outcome(&run(0));
     written.measurement.every_frame =
-        numbers(5_000).chunks_exact(5).map(|f| [f[0], f[1], f[2], f[3], f[4]]).collect();
+        numbers(5_000).chunks_exact(6).map(|f| [f[0], f[1], f[2], f[3], f[4], f[5]]).collect();
     store.put(&run(0), &written).unwrap();
     let read = store.get(&run(0)).unwrap();
     assert_eq!(read, written);

@@ -47,7 +47,8 @@ fn sized(
 
 fn limit(gpu: &Gpu, usage: wgpu::BufferUsages) -> u64 {
     let limits = gpu.device.limits();
-    if usage.contains(wgpu::BufferUsages::STORAGE) {
+    // Vertices that shaders write are bound in part only.
+    if usage.contains(wgpu::BufferUsages::STORAGE) && !usage.contains(wgpu::BufferUsages::VERTEX) {
         limits.max_storage_buffer_binding_size.min(limits.max_buffer_size)
     } else {
         limits.max_buffer_size

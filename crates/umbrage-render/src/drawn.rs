@@ -53,7 +53,7 @@ pub(crate) struct Planned {
     pub samples: u32,
     pub exposure: Exposure,
     pub haze: bool,
-    /// A list for each of the plan's views, then one for the camera.
+    /// A list for each of the plan's views, then one for the camera, and one of the veils before what that sees.
     pub lists: DrawLists,
     pub numbers: Growing,
     pub loads: Vec<ViewLoad>,
@@ -76,9 +76,14 @@ impl MapsId {
 }
 
 impl Planned {
-    /// What the camera sees.
+    /// What the camera sees, but for veils.
     pub fn receivers(&self) -> &[Draw] {
         self.lists.view(self.plan.views().len())
+    }
+
+    /// The veils before what the camera sees, the deepest first.
+    pub fn veils(&self) -> &[Draw] {
+        self.lists.view(self.plan.views().len() + 1)
     }
 
     /// Whether there are shadows of a light.

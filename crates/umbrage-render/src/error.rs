@@ -47,6 +47,16 @@ pub enum RenderError {
         /// The bytes that a buffer may have.
         most: u64,
     },
+    /// A compute shader cannot read and write as many buffers as are needed to bend meshes.
+    #[error(
+        "skins and morph targets need {needed} storage buffers in a compute shader; this adapter has {most}"
+    )]
+    StorageBuffers {
+        /// The number of buffers that it needs.
+        needed: u32,
+        /// The largest number.
+        most: u32,
+    },
     /// A light that the frame does not cast shadows of.
     #[error("there is no light {light}; the frame has shadows of {lights}, counted from 0")]
     NoSuchLight {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use encase::{ShaderType, UniformBuffer};
 use glam::{Affine2, Vec2, Vec3, Vec4};
-use umbrage_scene::{Maps, Material, Scene, Texture};
+use umbrage_scene::{Alpha, Maps, Material, Scene, Texture};
 
 use crate::buffers::{binding, filled};
 use crate::error::RenderError;
@@ -35,6 +35,9 @@ struct GpuMaterial {
     occlusion_strength: f32,
     places: [GpuPlace; 4],
     unlit: u32,
+    is_mask: u32,
+    cutoff: f32,
+    solidity: f32,
 }
 
 impl Materials {
@@ -46,7 +49,7 @@ impl Materials {
             let Maps { metallic_roughness, normal, occlusion, emission } = material.maps;
             let [normal, occlusion] = [normal, occlusion].map(|of| of.map(|(map, _)| map));
             let views = [
-                pictures.view(material.texture, Numbers::Srgb)?,
+                pictures.view(material.texture, base_numbers(material))?,
                 pictures.view(metallic_roughness.map(|map| map.texture), Numbers::Linear)?,
                 pictures.view(normal.map(|map| map.texture), Numbers::Linear)?,
                 pictures.view(occlusion.map(|map| map.texture), Numbers::Linear)?,
@@ -107,8 +110,8 @@ fn gpu_material(material: &Material) -> GpuMaterial {
         roughness,
         specular,
         emission,
-        alpha: _,
-        transmission: _,
+        alpha,
+        transmission,
         unlit,
         casts: _,
         maps,
@@ -126,6 +129,26 @@ fn gpu_material(material: &Material) -> GpuMaterial {
         occlusion_strength: occlusion.map_or(0.0, |(_, strength)| strength),
         places: maps.map(|map| place(map.map_or(Affine2::IDENTITY, |map| map.picture_from_uv))),
         unlit: u32::from(*unlit),
+        is_mask: u32::from(!matches!(alpha, Alpha::Blend)),
+        cutoff: match *alpha {
+            Alpha::Opaque => f32::MIN,
+            Alpha::Mask { cutoff } => cutoff,
+            Alpha::Blend => 0.0,
+        },
+        solidity: 1.0 - transmission.clamp(0.0, 1.0),
+    }
+}
+
+/// What the numbers of the base colour's picture mean: its smaller levels depend on what alpha does.
+fn base_numbers(material: &Material) -> Numbers {
+    match material.alpha {
+        Alpha::Opaque => Numbers::Srgb,
+        Alpha::Blend => Numbers::Veil,
+        // The cut-off of the texture's own alpha.
+        Alpha::Mask { cutoff } => {
+            let own = (255.0 * cutoff / material.base_colour.w).ceil();
+            if (1.0..=255.0).contains(&own) { Numbers::Mask(own as u8) } else { Numbers::Veil }
+        }
     }
 }
 
@@ -183,6 +206,6 @@ mod tests {
             members.iter().map(|m| u64::from(m.offset)).collect::<Vec<_>>()
         };
         assert_eq!(members("Place"), (0..2).map(|i| GpuPlace::METADATA.offset(i)).collect::<Vec<_>>());
-        assert_eq!(members("Material"), (0..9).map(|i| GpuMaterial::METADATA.offset(i)).collect::<Vec<_>>());
+        assert_eq!(members("Material"), (0..12).map(|i| GpuMaterial::METADATA.offset(i)).collect::<Vec<_>>());
     }
 }

@@ -9,6 +9,19 @@ impl Gpu {
     /// # Errors
     /// When the device fails.
     pub(crate) fn read_floats(&self, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<f32>, RenderError> {
+        self.read_floats_from(buffer, 0, count)
+    }
+
+    /// Copies `count` numbers of a buffer, from number `first` on, to the CPU, and waits for them.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub(crate) fn read_floats_from(
+        &self,
+        buffer: &wgpu::Buffer,
+        first: u64,
+        count: usize,
+    ) -> Result<Vec<f32>, RenderError> {
         let size = 4 * count as u64;
         let copy = self.buffer(&wgpu::BufferDescriptor {
             label: Some("Gpu::read_floats"),
@@ -17,7 +30,7 @@ impl Gpu {
             mapped_at_creation: false,
         });
         let mut encoder = self.encoder("Gpu::read_floats");
-        encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, size);
+        encoder.copy_buffer_to_buffer(buffer, 4 * first, &copy, 0, size);
         self.queue.submit([encoder.finish()]);
         self.read_mapped(copy, |bytes| {
             bytes.as_chunks().0.iter().map(|four| f32::from_ne_bytes(*four)).collect()

@@ -1,6 +1,7 @@
 //! A scene, drawn: a plan, one caster pass for each of its views, one shading pass.
 
 mod area;
+mod bent;
 mod maps;
 
 use std::sync::Arc;
@@ -10,10 +11,11 @@ use umbrage_scene::Scene;
 use web_time::{Duration, Instant};
 
 pub use area::AreaRendered;
+pub use bent::BentVertices;
 
 use crate::buffers::Growing;
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
-use crate::draws::{Draw, DrawLists, Materials, PartTable};
+use crate::draws::{Draw, DrawLists, PartTable};
 use crate::error::RenderError;
 use crate::exposure::Exposure;
 use crate::frame::{Frame, Show};
@@ -55,8 +57,9 @@ impl Renderer {
     /// # Errors
     /// When a setting is out of range, or something exceeds the adapter's limits.
     pub fn new(gpu: &Gpu, scene: &Scene, settings: Settings) -> Result<Self, RenderError> {
-        let buffers = Arc::new(gpu.allocate("the scene", || SceneBuffers::new(gpu, scene))?);
-        Self::with_buffers(gpu, buffers, PartTable::new(scene), settings)
+        let parts = PartTable::new(scene);
+        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers()))?;
+        Self::with_buffers(gpu, Arc::new(buffers), parts, settings)
     }
 
     /// Makes another renderer of the same scene, to see it with other settings beside this one. Both share what the scene
@@ -151,8 +154,9 @@ impl Renderer {
         let milliseconds = |duration: Duration| duration.as_secs_f64() * 1e3;
         let (frame, cast, plan) =
             (milliseconds(start.elapsed()), milliseconds(cast), drawn.plan_milliseconds());
-        let [casters, filter, shade] = self.timer.take(&self.gpu).unwrap_or([cast - plan, 0.0, frame - cast]);
-        Ok(Rendered { drawn, times: FrameTimes { plan, casters, filter, shade, frame } })
+        let [deform, casters, filter, shade] =
+            self.timer.take(&self.gpu).unwrap_or([0.0, cast - plan, 0.0, frame - cast]);
+        Ok(Rendered { drawn, times: FrameTimes { plan, deform, casters, filter, shade, frame } })
     }
 
     /// Draws another picture of a frame, from the shadow maps that are drawn: the same camera, lights, time and size.
@@ -172,10 +176,10 @@ impl Renderer {
         self.shade(planned, show, target)
     }
 
-    /// Takes how long the passes of an earlier [`Self::draw`] or [`Self::show`] took on the device, milliseconds: casters,
-    /// filter, shading. Each frame comes once, the oldest first; `None` where none is done, or the device has no timestamps.
+    /// Takes how long the passes of an earlier [`Self::draw`] or [`Self::show`] took on the device, milliseconds: bending,
+    /// casters, filter, shading. Each frame comes once, the oldest first; `None` where none is done, or the device has no timestamps.
     /// It never waits.
-    pub fn pass_times(&mut self) -> Option<[f64; 3]> {
+    pub fn pass_times(&mut self) -> Option<[f64; 4]> {
         self.timer.take(&self.gpu)
     }
 
@@ -219,9 +223,9 @@ impl Renderer {
     /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
     fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
-        let Self { gpu, scene, parts, shadows, lights, .. } = self;
+        let Self { gpu, scene, parts, shadows, lights, timer, .. } = self;
         let origin = frame.camera.local_origin();
-        scene.placement.move_to(gpu, origin, &frame.pose);
+        scene.move_to(gpu, timer, origin, &frame.pose);
         parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
         let make = || {
@@ -306,7 +310,7 @@ impl Renderer {
         target: Arc<Target>,
     ) -> Result<Drawn, RenderError> {
         // A renderer beside this one may have moved the scene.
-        self.scene.placement.move_to(&self.gpu, planned.origin, &planned.pose);
+        self.scene.move_to(&self.gpu, &self.timer, planned.origin, &planned.pose);
         let mut encoder = self.gpu.encoder("Renderer::shading");
         let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
         self.shading.record(inputs, &mut encoder, &self.timer, &planned, show, &target)?;
@@ -317,17 +321,18 @@ impl Renderer {
     }
 }
 
-/// Lists what is drawn into each of a plan's views, and what the camera sees.
+/// Lists what is drawn into each of a plan's views, what the camera sees, and the veils before that.
 fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
     let Planned { plan, camera, lists, loads, .. } = planned;
     lists.clear();
     loads.clear();
     for (i, view) in plan.views().iter().enumerate() {
-        parts.add_view(lists, cull_parts.then_some(&view.casters), Materials::Together);
+        parts.add_casters(lists, cull_parts.then_some(&view.casters));
         let draws = lists.view(i);
         let triangles = draws.iter().map(Draw::triangles).sum();
         loads.push(ViewLoad { light: view.light, split: view.split, draws: draws.len(), triangles });
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    parts.add_view(lists, Some(&seen), Materials::Apart);
+    parts.add_seen(lists, &seen);
+    parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }

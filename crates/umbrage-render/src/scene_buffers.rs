@@ -1,14 +1,19 @@
 //! A scene on the GPU: one buffer a vertex stream, one of indices, one of instances, a bind group a material.
 
-use umbrage_scene::{Material, Scene};
+use glam::{DVec3, Vec3};
+use umbrage_scene::{Material, Pose, Scene};
 
 use crate::buffers::filled;
+use crate::cover::Cover;
+use crate::deformation::Deformation;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::materials::Materials;
 use crate::placement::Placement;
 use crate::shaders::Finish;
+use crate::shapes::Shapes;
 use crate::surroundings::Surroundings;
+use crate::timing::PassTimer;
 use crate::vertex_colours::VertexColours;
 
 /// What is bound once for a whole scene.
@@ -20,25 +25,23 @@ pub(crate) struct SceneBuffers {
     pub attributes: wgpu::Buffer,
     pub indices: wgpu::Buffer,
     pub placement: Placement,
+    /// `None` where nothing is bent.
+    pub deformation: Option<Deformation>,
     pub materials: Materials,
     pub colours: VertexColours,
     pub surroundings: Surroundings,
     pub finish: Finish,
+    /// The covers that the scene's surfaces have.
+    pub covers: Vec<Cover>,
 }
 
 impl SceneBuffers {
-    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, RenderError> {
-        let positions: Vec<u8> = scene
-            .meshes
-            .iter()
-            .flat_map(|mesh| bytemuck::cast_slice::<_, u8>(&mesh.positions))
-            .copied()
-            .collect();
-        let attributes: Vec<[f32; 5]> = scene
-            .meshes
-            .iter()
-            .flat_map(|mesh| mesh.normals.iter().zip(&mesh.uvs).map(|(n, uv)| [n.x, n.y, n.z, uv.x, uv.y]))
-            .collect();
+    pub fn new(gpu: &Gpu, scene: &Scene, covers: Vec<Cover>) -> Result<Self, RenderError> {
+        let shapes = Shapes::of(scene);
+        let positions = shapes.gather(scene, Vec3::ZERO, |all, mesh| all.extend_from_slice(&mesh.positions));
+        let attributes = shapes.gather(scene, [0.0; 5], |all: &mut Vec<[f32; 5]>, mesh| {
+            all.extend(mesh.normals.iter().zip(&mesh.uvs).map(|(n, uv)| [n.x, n.y, n.z, uv.x, uv.y]));
+        });
         let indices: Vec<u8> = scene
             .meshes
             .iter()
@@ -46,21 +49,29 @@ impl SceneBuffers {
             .copied()
             .collect();
         let is_matte = scene.materials.iter().all(Material::is_matte) && !VertexColours::are_in(scene);
+        let vertices = |what, bytes: &[u8]| filled(gpu, what, bytes, shapes.usage());
+        let positions = vertices("positions", bytemuck::cast_slice(&positions))?;
+        let attributes = vertices("normals", bytemuck::cast_slice(&attributes))?;
         Ok(Self {
-            positions: filled(gpu, "positions", &positions, wgpu::BufferUsages::VERTEX)?,
-            attributes: filled(
-                gpu,
-                "normals",
-                bytemuck::cast_slice(&attributes),
-                wgpu::BufferUsages::VERTEX,
-            )?,
+            colours: VertexColours::new(gpu, scene, &shapes)?,
+            deformation: Deformation::new(gpu, scene, shapes, &positions, &attributes)?,
+            positions,
+            attributes,
             indices: filled(gpu, "indices", &indices, wgpu::BufferUsages::INDEX)?,
             placement: Placement::new(gpu, &scene.instances)?,
             materials: Materials::new(gpu, scene)?,
-            colours: VertexColours::new(gpu, scene)?,
             surroundings: Surroundings::new(gpu, scene),
             finish: if is_matte { Finish::Matte } else { Finish::Glossy },
+            covers,
         })
+    }
+
+    /// Moves and bends everything as it is in a pose, relative to `origin`, as far as it is not so.
+    pub fn move_to(&self, gpu: &Gpu, timer: &PassTimer, origin: DVec3, pose: &Pose) {
+        self.placement.move_to(gpu, origin, pose);
+        if let Some(deformation) = &self.deformation {
+            deformation.move_to(gpu, timer, pose);
+        }
     }
 
     /// Gives a pass the vertices of casters.

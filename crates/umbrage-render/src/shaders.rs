@@ -3,15 +3,21 @@
 //!
 //! Texts of `umbrage` come as arguments: `receiver` is that of its receivers, whose bindings are group 1.
 
+mod covering;
+
 use std::fmt::Write as _;
 
 use umbrage::{Contact, contact_wgsl};
+
+pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, vertex_entry};
 
 use crate::frame::{Mark, Show};
 
 const SCENE: &str = include_str!("../shaders/scene.wgsl");
 const PICTURE: &str = include_str!("../shaders/picture.wgsl");
 const RECEIVER: &str = include_str!("../shaders/receiver.wgsl");
+const MATERIAL: &str = include_str!("../shaders/material.wgsl");
+const SURFACE: &str = include_str!("../shaders/surface.wgsl");
 const TONE: &str = include_str!("../shaders/tone.wgsl");
 const SPLIT_COLOUR: &str = include_str!("../shaders/marks/split_colour.wgsl");
 const FOOTPRINT: &str = include_str!("../shaders/marks/footprint.wgsl");
@@ -115,57 +121,51 @@ pub(crate) fn receivers(
     look: Look,
     finish: Finish,
     around: Around,
+    covering: Covering,
     receiver: &str,
     contact: Option<&Contact>,
 ) -> String {
     let visibility = visibility(look.visibility(contact.is_some()), contact);
     let mut text = [receiver, SCENE, RECEIVER].join("\n") + &visibility;
+    if look.has_materials() {
+        text += &surfaces(finish, around);
+    } else if covering != Covering::Solid {
+        text += MATERIAL;
+    }
     let files: &[&str] = match look {
         Look::World | Look::Unshadowed | Look::Given => {
-            text += &surfaces(finish, around);
-            &[include_str!("../shaders/marks/none.wgsl")]
+            &[include_str!("../shaders/marks/none.wgsl"), SURFACE]
         }
         Look::Marked(Mark::Splits) => {
-            text += &surfaces(finish, around);
             text += &split_colours();
-            &[SPLIT_COLOUR, include_str!("../shaders/marks/split_tint.wgsl")]
+            &[SPLIT_COLOUR, include_str!("../shaders/marks/split_tint.wgsl"), SURFACE]
         }
         Look::Marked(Mark::Texels) => {
-            text += &surfaces(finish, around);
             text += &split_colours();
-            &[SPLIT_COLOUR, FOOTPRINT, include_str!("../shaders/marks/texel_chequer.wgsl")]
+            &[SPLIT_COLOUR, FOOTPRINT, include_str!("../shaders/marks/texel_chequer.wgsl"), SURFACE]
         }
         Look::Marked(Mark::Extents) => &[FOOTPRINT, include_str!("../shaders/marks/texel_extent.wgsl")],
         Look::Visibility => &[include_str!("../shaders/visibility.wgsl")],
     };
-    text + &files.join("\n")
-}
-
-/// The vertex shader of receivers that need nothing more.
-pub(crate) const RECEIVER_ENTRY: &str = "receiver";
-
-/// The vertex shader of receivers.
-pub(crate) fn vertex_entry(look: Look, finish: Finish) -> &'static str {
-    if look.has_materials() && finish == Finish::Glossy { "coloured_receiver" } else { RECEIVER_ENTRY }
+    text + &files.join("\n") + &covering::text(look, finish, covering)
 }
 
 /// All that shades surfaces.
 fn surfaces(finish: Finish, around: Around) -> String {
     let lit = [
         PICTURE,
-        include_str!("../shaders/material.wgsl"),
+        MATERIAL,
         include_str!("../shaders/lights.wgsl"),
         around_text(around),
         include_str!("../shaders/haze.wgsl"),
         TONE,
     ];
     let finish: &[&str] = match finish {
-        Finish::Matte => &[include_str!("../shaders/matte.wgsl"), include_str!("../shaders/shade.wgsl")],
+        Finish::Matte => &[include_str!("../shaders/matte.wgsl")],
         Finish::Glossy => &[
             include_str!("../shaders/reflection.wgsl"),
             include_str!("../shaders/material_maps.wgsl"),
             include_str!("../shaders/glossy.wgsl"),
-            include_str!("../shaders/shade_coloured.wgsl"),
         ],
     };
     [lit.as_slice(), finish].concat().join("\n")
@@ -202,11 +202,6 @@ fn split_colours() -> String {
     text
 }
 
-/// The camera's depth: the vertex shader `receiver` alone.
-pub(crate) fn depth() -> String {
-    [SCENE, RECEIVER].join("\n")
-}
-
 /// The sky: the vertex shader `sky`, the fragment shader `sky_shade`.
 pub(crate) fn sky(around: Around) -> String {
     [SCENE, PICTURE, around_text(around), TONE, include_str!("../shaders/sky.wgsl")].join("\n")
@@ -215,11 +210,6 @@ pub(crate) fn sky(around: Around) -> String {
 /// The sky where visibility is shown: the vertex shader `sky`, the fragment shader `sky_visibility`.
 pub(crate) fn lit_sky() -> String {
     include_str!("../shaders/sky_lit.wgsl").to_owned()
-}
-
-/// Casters: the vertex shader `caster`.
-pub(crate) fn casters(caster: &str) -> String {
-    [caster, include_str!("../shaders/caster.wgsl")].concat()
 }
 
 /// Queries of points: the compute shader `find_visibility`.
@@ -232,6 +222,11 @@ pub(crate) fn map_picture(map: &str) -> String {
     [map, include_str!("../shaders/map_picture.wgsl")].concat()
 }
 
+/// Bent meshes: the compute shader `deform`.
+pub(crate) fn deform() -> String {
+    include_str!("../shaders/deform.wgsl").to_owned()
+}
+
 /// Sums of pictures: the compute shader `add`.
 pub(crate) fn area_sum() -> String {
     include_str!("../shaders/area_sum.wgsl").to_owned()
@@ -239,9 +234,13 @@ pub(crate) fn area_sum() -> String {
 
 #[cfg(test)]
 mod tests {
-    use umbrage::{Capabilities, Filter, Select, Settings, caster_wgsl, map_wgsl, receiver_wgsl};
+    use umbrage::{
+        Capabilities, Filter, Select, Settings, caster_wgsl, map_wgsl, receiver_wgsl, second_caster_wgsl,
+    };
 
+    use super::covering::Edge;
     use super::*;
+    use crate::cover::Cover;
 
     const LOOKS: [Look; 7] = [
         Look::World,
@@ -260,6 +259,14 @@ mod tests {
         (Finish::Glossy, Around::Picture),
     ];
 
+    const COVERINGS: [Covering; 5] = [
+        Covering::Solid,
+        Covering::Cut(Edge::Exact),
+        Covering::Cut(Edge::Hard),
+        Covering::Cut(Edge::Smooth),
+        Covering::Veil,
+    ];
+
     fn check(text: &str) {
         let module =
             naga::front::wgsl::parse_str(text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(text)));
@@ -270,8 +277,13 @@ mod tests {
 
     #[test]
     fn every_shader_of_the_renderer_is_valid_wgsl() {
-        check(&casters(&caster_wgsl()));
-        [depth(), lit_sky(), area_sum(), map_picture(&map_wgsl())].iter().for_each(|text| check(text));
+        for cover in [Cover::Solid, Cover::Cut, Cover::Veil] {
+            check(&casters(&caster_wgsl(0), cover));
+            check(&casters(&second_caster_wgsl(0), cover));
+        }
+        [depth(Cover::Solid), depth(Cover::Cut), lit_sky(), area_sum(), deform(), map_picture(&map_wgsl())]
+            .iter()
+            .for_each(|text| check(text));
         [Around::Sky, Around::Picture].iter().for_each(|around| check(&sky(*around)));
         for select in [Select::Depth, Select::ClipDepth, Select::Map] {
             for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
@@ -280,8 +292,11 @@ mod tests {
                 check(&query(&shadows));
                 for look in LOOKS {
                     for (finish, around) in FINISHES {
-                        check(&receivers(look, finish, around, &shadows, None));
-                        check(&receivers(look, finish, around, &shadows, Some(&Contact::default())));
+                        for covering in COVERINGS {
+                            check(&receivers(look, finish, around, covering, &shadows, None));
+                            let contact = Some(&Contact::default());
+                            check(&receivers(look, finish, around, covering, &shadows, contact));
+                        }
                     }
                 }
             }
@@ -290,7 +305,7 @@ mod tests {
 
     #[test]
     fn the_shader_of_the_plain_picture_holds_nothing_of_the_others() {
-        let text = receivers(Look::World, Finish::Matte, Around::Sky, "", None);
+        let text = receivers(Look::World, Finish::Matte, Around::Sky, Covering::Solid, "", None);
         for word in [
             "split_colour",
             "footprint",
@@ -300,6 +315,7 @@ mod tests {
             "mark",
             "normal_texture",
             "fresnel",
+            "discard",
         ] {
             assert!(!text.contains(word), "{word}");
         }

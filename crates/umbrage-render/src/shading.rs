@@ -4,6 +4,7 @@
 use umbrage::Shadows;
 
 use crate::drawn::Planned;
+use crate::draws::Draw;
 use crate::error::RenderError;
 use crate::frame::Show;
 use crate::gpu::Gpu;
@@ -101,7 +102,7 @@ impl Shading {
                 none => &none.insert(Given::new(gpu)?).layout,
             }),
             Visibility::MapsAndContact => {
-                let make = || Prepass::new(gpu, &self.uniform, size);
+                let make = || Prepass::new(gpu, (&self.uniform, scene), size);
                 let prepass = self.prepass.get_or_insert_with(make);
                 prepass.resize(gpu, size);
                 Some(prepass.layout())
@@ -141,7 +142,8 @@ impl Shading {
             given.upload(gpu, visibility)?;
         }
         let look = Look::of(show);
-        let draws = if look.is_some() { planned.receivers() } else { &[] };
+        let (draws, veils): (&[Draw], &[Draw]) =
+            if look.is_some() { (planned.receivers(), planned.veils()) } else { (&[], &[]) };
         let visibility = look.map(|look| look.visibility(shadows.settings().contact.is_some()));
         let extra = match visibility {
             None | Some(Visibility::Unused | Visibility::Full | Visibility::Maps) => None,
@@ -149,6 +151,7 @@ impl Shading {
             Some(Visibility::MapsAndContact) => self.prepass.as_ref().map(|prepass| {
                 prepass.upload(gpu, &camera.relative_to(*origin));
                 timer.pass(SHADE, encoder, |encoder, timestamps| {
+                    let draws = [draws, veils];
                     prepass.record(encoder, timestamps, &self.uniform, scene, &numbers.buffer, draws);
                 });
                 prepass.group()
@@ -159,13 +162,17 @@ impl Shading {
             let mut pass = target.begin(encoder, timestamps);
             let receivers =
                 self.receivers.iter().find(|(of, made_for, _)| (Some(*of), *made_for) == (look, kind));
-            if let Some((_, _, receivers)) = receivers {
-                let bound = (&self.uniform, scene, shadows);
-                receivers.record(&mut pass, bound, extra, &numbers.buffer, draws);
-            }
+            let record = |pass: &mut wgpu::RenderPass<'_>, draws: &[Draw]| {
+                if let Some((_, _, receivers)) = receivers {
+                    let bound = (&self.uniform, scene, shadows);
+                    receivers.record(pass, bound, extra, &numbers.buffer, draws);
+                }
+            };
+            record(&mut pass, draws);
             if let Some((_, sky)) = self.skies.iter().find(|(of, _)| *of == kind) {
                 sky.record(&mut pass, &self.uniform);
             }
+            record(&mut pass, veils);
         });
         Ok(())
     }

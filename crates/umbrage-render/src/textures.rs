@@ -1,46 +1,97 @@
 //! Textures with mip-maps that are made on the CPU.
 
 use crate::gpu::Gpu;
+use crate::mip_coverage::Coverage;
 
 /// What the numbers of a picture mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Numbers {
-    /// Colours, as sRGB has them.
+    /// Colours, as sRGB has them; alpha counts for nothing.
     Srgb,
+    /// Colours, as sRGB has them, of which each counts for as much as its alpha says.
+    Veil,
+    /// Colours, as sRGB has them, where alpha is at least so much, and nothing elsewhere.
+    Mask(u8),
     /// Anything else, as it is.
     Linear,
 }
 
-/// Halves a picture until it is one pixel; the mean of colours is taken of linear light, as they mix on screen.
-pub(crate) fn mip_chain(width: u32, height: u32, rgba: &[u8], numbers: Numbers) -> Vec<(u32, u32, Vec<u8>)> {
-    let is_srgb = |channel: usize| channel != 3 && numbers == Numbers::Srgb;
-    let to_linear: [f32; 256] = std::array::from_fn(|i| linear_from_srgb(i as f32 / 255.0));
+impl Numbers {
+    fn are_colours(self) -> bool {
+        match self {
+            Self::Srgb | Self::Veil | Self::Mask(_) => true,
+            Self::Linear => false,
+        }
+    }
+
+    /// Whether texels count for as much as their alpha says where they are mixed.
+    fn are_weighted(self) -> bool {
+        match self {
+            Self::Veil | Self::Mask(_) => true,
+            Self::Srgb | Self::Linear => false,
+        }
+    }
+}
+
+/// A picture of a mip chain: width, height, and four bytes a texel.
+type Level = (u32, u32, Vec<u8>);
+
+/// Halves a picture until it is one pixel; the mean of colours is taken of linear light, as they mix on screen. Masks cover as
+/// much in every level as in the first.
+pub(crate) fn mip_chain(width: u32, height: u32, rgba: &[u8], numbers: Numbers) -> Vec<Level> {
     let mut chain = vec![(width, height, rgba.to_vec())];
     while let Some((width, height, above)) = chain.last()
         && (*width > 1 || *height > 1)
     {
-        let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
-        let texel = |x: u32, y: u32, channel: usize| {
-            let at = (y.min(height - 1) * width + x.min(width - 1)) as usize * 4 + channel;
-            if is_srgb(channel) { to_linear[usize::from(above[at])] } else { f32::from(above[at]) / 255.0 }
-        };
-        let mut below = Vec::with_capacity((half_width * half_height * 4) as usize);
-        for y in 0..half_height {
-            for x in 0..half_width {
-                for channel in 0..4 {
-                    let sum: f32 = [(0, 0), (1, 0), (0, 1), (1, 1)]
-                        .iter()
-                        .map(|(i, j)| texel(2 * x + i, 2 * y + j, channel))
-                        .sum();
-                    let mean = sum / 4.0;
-                    let stored = if is_srgb(channel) { srgb_from_linear(mean) } else { mean };
-                    below.push((stored * 255.0).round() as u8);
-                }
-            }
+        chain.push(halved(*width, *height, above, numbers));
+    }
+    if let Numbers::Mask(cut) = numbers {
+        let coverage = Coverage::of(width, height, rgba, cut);
+        for (width, height, rgba) in &mut chain[1..] {
+            coverage.keep(*width, *height, rgba);
         }
-        chain.push((half_width, half_height, below));
     }
     chain
+}
+
+fn halved(width: u32, height: u32, above: &[u8], numbers: Numbers) -> Level {
+    let is_srgb = |channel: usize| channel != 3 && numbers.are_colours();
+    let to_linear: [f32; 256] = std::array::from_fn(|i| linear_from_srgb(i as f32 / 255.0));
+    let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
+    let texel = |x: u32, y: u32| {
+        let at = (y.min(height - 1) * width + x.min(width - 1)) as usize * 4;
+        let number = |channel: usize| {
+            let byte = above[at + channel];
+            if is_srgb(channel) { to_linear[usize::from(byte)] } else { f32::from(byte) / 255.0 }
+        };
+        [0, 1, 2, 3].map(number)
+    };
+    let mut below = Vec::with_capacity((half_width * half_height * 4) as usize);
+    for y in 0..half_height {
+        for x in 0..half_width {
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| texel(2 * x + i, 2 * y + j));
+            for (channel, mean) in mean(&four, numbers.are_weighted()).into_iter().enumerate() {
+                let stored = if is_srgb(channel) { srgb_from_linear(mean) } else { mean };
+                below.push((stored * 255.0).round() as u8);
+            }
+        }
+    }
+    (half_width, half_height, below)
+}
+
+/// The mean of four texels. Where colours are weighted by alpha, those that are not seen do not show at edges.
+fn mean(four: &[[f32; 4]; 4], weighted: bool) -> [f32; 4] {
+    let sum = |channel: usize, weight: &dyn Fn(&[f32; 4]) -> f32| -> f32 {
+        four.iter().map(|texel| texel[channel] * weight(texel)).sum()
+    };
+    let alpha = sum(3, &|_| 1.0);
+    [0, 1, 2, 3].map(|channel| {
+        if weighted && channel != 3 && alpha > 0.0 {
+            sum(channel, &|texel| texel[3]) / alpha
+        } else {
+            sum(channel, &|_| 1.0) / 4.0
+        }
+    })
 }
 
 fn linear_from_srgb(s: f32) -> f32 {
@@ -60,9 +111,10 @@ pub(crate) fn upload(gpu: &Gpu, width: u32, height: u32, rgba: &[u8], numbers: N
         mip_level_count: chain.len() as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: match numbers {
-            Numbers::Srgb => wgpu::TextureFormat::Rgba8UnormSrgb,
-            Numbers::Linear => wgpu::TextureFormat::Rgba8Unorm,
+        format: if numbers.are_colours() {
+            wgpu::TextureFormat::Rgba8UnormSrgb
+        } else {
+            wgpu::TextureFormat::Rgba8Unorm
         },
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
@@ -106,11 +158,22 @@ mod tests {
     }
 
     #[test]
+    fn colours_that_are_not_seen_do_not_show_in_smaller_levels() {
+        let picture: Vec<u8> =
+            (0..4).flat_map(|i| if i == 0 { [200, 100, 50, 255] } else { [0, 0, 255, 0] }).collect();
+        assert_eq!(mip_chain(2, 2, &picture, Numbers::Veil)[1].2, [200, 100, 50, 64]);
+        assert_eq!(mip_chain(2, 2, &picture, Numbers::Srgb)[1].2[3], 64);
+        assert_ne!(mip_chain(2, 2, &picture, Numbers::Srgb)[1].2[0], 200);
+    }
+
+    #[test]
     fn odd_and_thin_pictures_end_at_one_pixel() {
         for (width, height) in [(1, 1), (5, 3), (1, 9), (7, 1)] {
-            let picture = vec![100; (width * height * 4) as usize];
-            let last = mip_chain(width, height, &picture, Numbers::Srgb).pop().unwrap();
-            assert_eq!((last.0, last.1, last.2[0]), (1, 1, 100), "{width} x {height}");
+            for numbers in [Numbers::Srgb, Numbers::Mask(128), Numbers::Veil] {
+                let picture = vec![100; (width * height * 4) as usize];
+                let last = mip_chain(width, height, &picture, numbers).pop().unwrap();
+                assert_eq!((last.0, last.1, last.2[0]), (1, 1, 100), "{width} x {height}");
+            }
         }
     }
 }

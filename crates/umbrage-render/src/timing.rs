@@ -10,6 +10,9 @@ use crate::gpu::Gpu;
 pub struct FrameTimes {
     /// The time of planning, culling and upload, on the CPU.
     pub plan: f64,
+    /// The time of bending meshes by joints and morph targets, once for all views. It is 0 where nothing is bent, or nothing is
+    /// bent otherwise than before; without timestamps part of `casters`.
+    pub deform: f64,
     /// The time of all caster passes.
     pub casters: f64,
     /// The time of making moments, blurs and sums of the maps. It is 0 for filters that read depths; without timestamps
@@ -23,8 +26,9 @@ pub struct FrameTimes {
 
 impl std::ops::AddAssign for FrameTimes {
     fn add_assign(&mut self, other: Self) {
-        let Self { plan, casters, filter, shade, frame } = other;
+        let Self { plan, deform, casters, filter, shade, frame } = other;
         self.plan += plan;
+        self.deform += deform;
         self.casters += casters;
         self.filter += filter;
         self.shade += shade;
@@ -46,6 +50,7 @@ pub struct ViewLoad {
 }
 
 /// Labels that tell the passes of a frame apart.
+pub(crate) const DEFORM: &str = "deform";
 pub(crate) const CASTERS: &str = "casters";
 pub(crate) const FILTER: &str = "filter";
 pub(crate) const SHADE: &str = "shade";
@@ -118,16 +123,15 @@ impl PassTimer {
         profiler.end_frame().map_err(|e| RenderError::Device(e.to_string()))
     }
 
-    /// Milliseconds of all passes labelled `CASTERS`, of those labelled `FILTER` and of those labelled `SHADE`, of the
-    /// oldest frame that is done and was not taken yet. `None` where there is none, or the device has no timestamps.
-    pub fn take(&mut self, gpu: &Gpu) -> Option<[f64; 3]> {
+    /// Milliseconds of all passes labelled `DEFORM`, `CASTERS`, `FILTER` and `SHADE`, of each together, of the oldest frame that is done and was not taken yet. `None` where there is none, or the device has no timestamps.
+    pub fn take(&mut self, gpu: &Gpu) -> Option<[f64; 4]> {
         let period = gpu.queue.get_timestamp_period();
         let results = self.profiler.as_mut()?.process_finished_frame(period)?;
         let total = |label: &str| -> f64 {
             let spans = results.iter().filter(|result| result.label == label);
             spans.filter_map(milliseconds).sum()
         };
-        Some([CASTERS, FILTER, SHADE].map(total))
+        Some([DEFORM, CASTERS, FILTER, SHADE].map(total))
     }
 }
 

@@ -1,10 +1,11 @@
 //! Colours of vertices on the GPU, beside their other attributes: few scenes have them, and only shaded pictures read them.
 
-use umbrage_scene::Scene;
+use umbrage_scene::{Mesh, Scene};
 
 use crate::buffers::filled;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
+use crate::shapes::Shapes;
 
 /// Bytes a colour: red, green, blue and alpha of 16 bits each.
 const BYTES: wgpu::BufferAddress = 8;
@@ -23,18 +24,18 @@ impl VertexColours {
         scene.meshes.iter().any(|mesh| !mesh.colours.is_empty())
     }
 
-    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, RenderError> {
+    pub fn new(gpu: &Gpu, scene: &Scene, shapes: &Shapes) -> Result<Self, RenderError> {
         const WHITE: [u16; 4] = [u16::MAX; 4];
         let number = |number: f32| (number.clamp(0.0, 1.0) * f32::from(u16::MAX)).round() as u16;
         let are_there = Self::are_in(scene);
-        let mut colours = Vec::new();
-        for mesh in scene.meshes.iter().filter(|_| are_there) {
+        let add = |colours: &mut Vec<[u16; 4]>, mesh: &Mesh| {
             let end = colours.len() + mesh.positions.len();
             colours.extend(
                 mesh.colours.iter().take(mesh.positions.len()).map(|colour| colour.to_array().map(number)),
             );
             colours.resize(end, WHITE);
-        }
+        };
+        let mut colours = if are_there { shapes.gather(scene, WHITE, add) } else { Vec::new() };
         if colours.is_empty() {
             colours.push(WHITE);
         }

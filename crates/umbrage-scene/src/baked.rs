@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use glam::{DMat3, DMat4, DVec3, Mat4, Vec3};
+use glam::{DMat3, DMat4, DVec3, Vec3};
 
 use crate::{Influences, Instance, Light, Mesh, Motion, Pose, Rig, Scene};
 
@@ -125,7 +125,7 @@ impl Bend<'_> {
 
 #[cfg(test)]
 mod tests {
-    use glam::{Quat, Vec2};
+    use glam::{Mat4, Quat, Vec2};
 
     use super::*;
     use crate::curve::{Curve, Keys};

@@ -19,6 +19,7 @@ mod normals;
 mod obj;
 mod pictures;
 mod polygon;
+mod progress;
 mod recentre;
 mod settle;
 mod warnings;
@@ -27,8 +28,10 @@ use std::fs;
 use std::path::Path;
 
 use self::files::Files;
-pub(crate) use self::gltf::UNLIT;
+pub(crate) use self::gltf::{TRANSMISSION, UNLIT};
 pub(crate) use self::pictures::MAX_SIDE_PX;
+use self::progress::Progress;
+pub use self::progress::Step;
 pub(crate) use self::recentre::{FARTHEST_ORIGIN, would_move};
 use self::warnings::Warnings;
 use crate::Scene;
@@ -55,10 +58,19 @@ pub struct Imported {
 /// When a file cannot be read, is of another kind, or has no triangles that can be read; then the error tells why each
 /// was lost.
 pub fn load(path: &Path) -> Result<Imported, SceneError> {
+    load_telling(path, &|_| ())
+}
+
+/// Reads a file as [`load`] does, and tells how far it is.
+///
+/// # Errors
+///
+/// As [`load`].
+pub fn load_telling(path: &Path, tell: &dyn Fn(Step)) -> Result<Imported, SceneError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     let read = match extension.as_deref() {
         Some("glb" | "gltf") => gltf::read,
-        Some("obj") => obj::read,
+        Some("obj") => read_obj,
         _ => return Err(SceneError::UnknownKind { path: crate::error::one_line(path.display()) }),
     };
     let kind = fs::metadata(path).map_err(|why| SceneError::read(why, path))?;
@@ -71,7 +83,7 @@ pub fn load(path: &Path) -> Result<Imported, SceneError> {
     }
     let bytes = fs::read(path).map_err(|why| SceneError::read(why, path))?;
     let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    import(read, &bytes, &name, Files::beside(path)).map_err(|fault| fault.in_file(path.display()))
+    import(read, &bytes, &name, Files::beside(path), tell).map_err(|fault| fault.in_file(path.display()))
 }
 
 /// Reads the bytes of a `.glb` or `.gltf` file; its buffers and pictures must be inside, or in data URIs. `name`
@@ -81,7 +93,16 @@ pub fn load(path: &Path) -> Result<Imported, SceneError> {
 ///
 /// As [`load`], and when the bytes refer to a file.
 pub fn load_glb_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> {
-    import(gltf::read, bytes, name, Files::none()).map_err(|fault| fault.in_file(name))
+    load_glb_bytes_telling(bytes, name, &|_| ())
+}
+
+/// Reads the bytes of a file as [`load_glb_bytes`] does, and tells how far it is.
+///
+/// # Errors
+///
+/// As [`load_glb_bytes`].
+pub fn load_glb_bytes_telling(bytes: &[u8], name: &str, tell: &dyn Fn(Step)) -> Result<Imported, SceneError> {
+    import(gltf::read, bytes, name, Files::none(), tell).map_err(|fault| fault.in_file(name))
 }
 
 /// Reads the text of an `.obj` file; material libraries are left out with a warning. `name` becomes the scene's name,
@@ -91,18 +112,35 @@ pub fn load_glb_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> 
 ///
 /// As [`load`].
 pub fn load_obj_bytes(bytes: &[u8], name: &str) -> Result<Imported, SceneError> {
-    import(obj::read, bytes, name, Files::none()).map_err(|fault| fault.in_file(name))
+    import(read_obj, bytes, name, Files::none(), &|_| ()).map_err(|fault| fault.in_file(name))
 }
 
 /// No file of the scenes that the budget lets in needs more: it is read as a whole.
 const MAX_FILE_BYTES: u64 = 4 << 30;
 
-/// A format's reader: the bytes of the file, the scene's name, the files around it.
-type Read = fn(&[u8], &str, Files<'_>, &mut Warnings) -> Result<Scene, Fault>;
+/// A format's reader: the bytes of the file, the scene's name, the files around it, and who waits.
+type Read = fn(&[u8], &str, Files<'_>, &Progress<'_>, &mut Warnings) -> Result<Scene, Fault>;
 
-fn import(read: Read, bytes: &[u8], name: &str, files: Files<'_>) -> Result<Imported, Fault> {
+/// OBJ is read in one go, and tells nothing on the way.
+fn read_obj(
+    bytes: &[u8],
+    name: &str,
+    files: Files<'_>,
+    _progress: &Progress<'_>,
+    warnings: &mut Warnings,
+) -> Result<Scene, Fault> {
+    obj::read(bytes, name, files, warnings)
+}
+
+fn import(
+    read: Read,
+    bytes: &[u8],
+    name: &str,
+    files: Files<'_>,
+    tell: &dyn Fn(Step),
+) -> Result<Imported, Fault> {
     let mut warnings = Warnings::default();
-    let mut scene = read(bytes, name, files, &mut warnings)?;
+    let mut scene = read(bytes, name, files, &Progress(tell), &mut warnings)?;
     if let Err(Fault(fault)) = finish::finish(&mut scene, &mut warnings) {
         // What was lost on the way is why nothing is left.
         let reasons = warnings.into_lines();

@@ -15,6 +15,7 @@ mod bounds;
 mod camera;
 mod casting;
 mod curve;
+mod deformed_bounds;
 mod dice;
 mod environment;
 mod error;
@@ -39,10 +40,13 @@ pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
 pub use casting::NoSuchName;
 pub use curve::{Between, Curve, Keys};
+pub use deformed_bounds::DeformedBounds;
 pub use environment::{Environment, load_environment};
 pub use error::SceneError;
 pub use export::to_glb;
-pub use import::{Imported, load, load_glb_bytes, load_obj_bytes};
+pub use import::{
+    Imported, Step, load, load_glb_bytes, load_glb_bytes_telling, load_obj_bytes, load_telling,
+};
 pub use light::{Light, LightKind};
 pub use material::{Alpha, Map, Maps, Material, Texture};
 pub use mesh::{Influences, Mesh, MorphTarget, Part, Primitive};

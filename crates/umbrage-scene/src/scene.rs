@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Mat4};
 
-use crate::{Aabb, Camera, CameraPath, Environment, Light, Material, Mesh, Motion, Pose, Rig, Texture};
+use crate::{Camera, CameraPath, Environment, Light, Material, Mesh, Motion, Pose, Rig, Texture};
 
 /// A scene is a whole world. Indices between its lists are always in range: the importer and the built-in worlds see to it.
 #[derive(Clone, Debug, Default)]
@@ -84,12 +84,5 @@ impl Scene {
     /// Returns the number of triangles that are drawn when everything is drawn once; those of a mesh count for each instance.
     pub fn triangles(&self) -> usize {
         self.instances.iter().map(|instance| self.meshes[instance.mesh].triangles()).sum()
-    }
-
-    /// Returns the box around everything in a pose, in world space.
-    pub fn bounds_in(&self, pose: &Pose) -> Aabb {
-        self.instances.iter().fold(Aabb::EMPTY, |sum, instance| {
-            sum.union(self.meshes[instance.mesh].bounds.transformed(&instance.world_from_mesh_in(pose)))
-        })
     }
 }

@@ -9,7 +9,10 @@
 
 mod bias_court;
 mod brick_ground;
+mod canvas;
+mod cards;
 mod closed_room;
+mod grove;
 mod huge_chessboard;
 mod knights;
 mod mining_terrain;
@@ -17,6 +20,7 @@ mod night_chessboard;
 mod orbit;
 mod picture;
 mod primitives;
+mod rigging;
 mod robot_war;
 mod scanned;
 mod stage;
@@ -138,6 +142,12 @@ pub const ALL: &[World] = &[
         source: "made for worlds far from their origin",
         summary: "a surveyed valley, 20 km across and 200 km from its origin, with a town under twelve lamps, 950 K triangles",
         build: survey::build,
+    },
+    World {
+        name: "grove",
+        source: "made for surfaces with holes",
+        summary: "a glade in a wood of leaves cut out of pictures, a chain-link fence and tall grass in the wind, 350 K triangles",
+        build: grove::build,
     },
 ];
 

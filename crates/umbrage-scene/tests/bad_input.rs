@@ -106,8 +106,8 @@ const SPOILED: &[(&str, &str, Spoil)] = &[
         d.primitives = d.primitives.replace("}}", r#"}, "mode": 9}"#);
     }),
     (
-        "triangles that are packed with Draco",
-        "KHR_draco_mesh_compression, which is not supported: write",
+        "triangles that are compressed with Draco, and not there",
+        "KHR_draco_mesh_compression, \"bufferView\" is not a whole number; compress the file again",
         |d| {
             d.rest = r#", "extensionsRequired": ["KHR_draco_mesh_compression"]"#.to_owned();
             d.primitives =
@@ -115,12 +115,16 @@ const SPOILED: &[(&str, &str, Spoil)] = &[
             d.accessors[0] = r#"{"count": 3, "componentType": 5126, "type": "VEC3"}"#.to_owned();
         },
     ),
-    ("a view that is packed with meshopt", "EXT_meshopt_compression, which is not supported: write", |d| {
-        d.rest = r#", "extensionsRequired": ["EXT_meshopt_compression"]"#.to_owned();
-        d.views[0] =
-            r#"{"buffer": 1, "byteLength": 36, "extensions": {"EXT_meshopt_compression": {}}}"#.to_owned();
-        d.buffers = r#", {"byteLength": 36}"#.to_owned();
-    }),
+    (
+        "a view that is compressed with meshopt, and not there",
+        "EXT_meshopt_compression, \"count\" is not",
+        |d| {
+            d.rest = r#", "extensionsRequired": ["EXT_meshopt_compression"]"#.to_owned();
+            d.views[0] = r#"{"buffer": 1, "byteLength": 36, "extensions": {"EXT_meshopt_compression": {}}}"#
+                .to_owned();
+            d.buffers = r#", {"byteLength": 36}"#.to_owned();
+        },
+    ),
     ("a scene of one point", "it is 0e0 m across", |d| d.binary[..36].fill(0)),
     ("a scene of next to nothing", "m across, need 1e-9 m", |d| {
         d.nodes = r#"{"mesh": 0, "scale": [1e-30, 1e-30, 1e-30]}"#.to_owned();

@@ -14,13 +14,14 @@ const COPIES: u64 = 2000;
 
 /// All files, in the order of their names.
 fn corpus() -> Vec<(String, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");
-    let mut files: Vec<_> = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| {
-            let entry = entry.unwrap();
-            (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap())
-        })
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let folders = ["corpus", "compressed"].map(|folder| fs::read_dir(tests.join(folder)).unwrap());
+    let mut files: Vec<_> = folders
+        .into_iter()
+        .flatten()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|kind| kind == "glb" || kind == "gltf" || kind == "obj"))
+        .map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), fs::read(path).unwrap()))
         .collect();
     files.sort();
     files
@@ -90,11 +91,19 @@ fn every_file_of_the_corpus_is_a_scene_or_one_line() {
         [
             "bad_face.obj",
             "data_uri.gltf",
+            "draco_edgebreaker.glb",
+            "draco_sequential.glb",
+            "draco_valence.glb",
             "fan.glb",
             "full.glb",
             "full.obj",
             "latin1.obj",
+            "meshopt.glb",
+            "meshopt_high.glb",
+            "meshopt_streams.glb",
             "nan.glb",
+            "plain.glb",
+            "quantised.glb",
             "sparse_quantised.glb",
             "square.obj",
             "strip.glb"

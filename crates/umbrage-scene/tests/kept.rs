@@ -229,14 +229,15 @@ fn listed_children_are_placed_once_whoever_else_is_listed() {
 }
 
 #[test]
-fn packed_triangles_that_lie_unpacked_beside_are_drawn() {
+fn compressed_triangles_that_lie_uncompressed_beside_are_drawn() {
     let mut doc = Doc::triangle();
     doc.rest = r#", "extensionsUsed": ["KHR_draco_mesh_compression"]"#.to_owned();
     doc.primitives = doc
         .primitives
         .replace("}}", r#"}, "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0}}}"#);
     let Imported { scene, warnings } = doc.load().unwrap();
-    assert_eq!((scene.triangles(), warnings.len()), (1, 0));
+    assert_eq!((scene.triangles(), warnings.len()), (1, 1));
+    assert!(warnings[0].contains("fallback"), "{warnings:?}");
 }
 
 #[test]

@@ -183,10 +183,11 @@ fn light() -> impl Strategy<Value = Light> {
     )
 }
 
-/// Numbers of a material: colour, shares and the scale of normals, emission, and what it has.
-type Numbers = ([f32; 4], [f32; 4], [f32; 3], [bool; 6]);
+/// Numbers of a material: colour, shares and the scale of normals, emission, what it has, and its coverage.
+type Numbers = ([f32; 4], [f32; 4], [f32; 3], [bool; 6], (Alpha, f32));
 
-fn material(i: usize, textures: usize, (colour, [a, b, c, scale], light, has): Numbers) -> Material {
+fn material(i: usize, textures: usize, numbers: Numbers) -> Material {
+    let (colour, [a, b, c, scale], light, has, (alpha, transmission)) = numbers;
     let is_there = i < textures;
     let map = |has: bool| (is_there && has).then_some(Map { texture: i, picture_from_uv: Affine2::IDENTITY });
     Material {
@@ -198,8 +199,8 @@ fn material(i: usize, textures: usize, (colour, [a, b, c, scale], light, has): N
         specular: if has[0] { 1.0 } else { c },
         emission: Vec3::from(light) * f32::from(u8::from(has[1])),
         unlit: has[2],
-        alpha: Alpha::Opaque,
-        transmission: 0.0,
+        alpha,
+        transmission,
         casts: i != 2,
         maps: Maps {
             metallic_roughness: map(has[3]),
@@ -210,12 +211,20 @@ fn material(i: usize, textures: usize, (colour, [a, b, c, scale], light, has): N
     }
 }
 
+/// An alpha, and what is transmitted.
+fn coverage() -> impl Strategy<Value = (Alpha, f32)> {
+    let mask = prop_oneof![Just(0.0), Just(0.5), -2.0f32..2.0].prop_map(|cutoff| Alpha::Mask { cutoff });
+    let alpha = prop_oneof![Just(Alpha::Opaque), Just(Alpha::Blend), mask];
+    (alpha, prop_oneof![Just(0.0f32), Just(1.0), 0.0f32..1.0])
+}
+
 fn scene() -> impl Strategy<Value = Scene> {
     let meshes = [vec(primitive(), 1..4), vec(primitive(), 1..4)]
         .prop_map(|[a, b]| vec![Mesh::new("", &a), Mesh::new("b", &b)]);
     let colour = [-2.0f32..2.0, 0.0f32..1.0, 0.0f32..1.0, 0.0f32..1.0];
     let shares = [0.0f32..=1.0, 0.0f32..=1.0, 0.0f32..=1.0, -3.0f32..=3.0];
-    let colours = vec((colour, shares, [0.0f32..1e4, 0.0f32..1e4, 0.0f32..1.0], any::<[bool; 6]>()), 3);
+    let emission = [0.0f32..1e4, 0.0f32..1e4, 0.0f32..1.0];
+    let colours = vec((colour, shares, emission, any::<[bool; 6]>(), coverage()), 3);
     let picture = (1..5u32, 1..5u32).prop_flat_map(|(width, height)| {
         vec(any::<u8>(), 4 * (width * height) as usize).prop_map(move |rgba| Texture {
             name: "picture".to_owned(),
@@ -370,7 +379,7 @@ fn what_cannot_be_drawn_is_left_out() {
 
 #[test]
 fn scenes_that_contradict_themselves_are_not_written() {
-    let spoils: [fn(&mut Scene); 10] = [
+    let spoils: [fn(&mut Scene); 12] = [
         |scene| scene.instances[0].mesh = 7,
         |scene| scene.instances[0].world_from_mesh.w_axis.x = f32::NAN,
         |scene| scene.meshes[0].positions[0].x = f32::INFINITY,
@@ -378,6 +387,8 @@ fn scenes_that_contradict_themselves_are_not_written() {
         |scene| scene.meshes[0].indices[0] = u32::MAX,
         |scene| scene.meshes[0].parts[0].material = 9,
         |scene| scene.materials[0].texture = Some(0),
+        |scene| scene.materials[0].alpha = Alpha::Mask { cutoff: f32::INFINITY },
+        |scene| scene.materials[0].transmission = f32::NAN,
         |scene| scene.cameras[0].far = f32::NAN,
         |scene| {
             scene.lights[0].motion =

@@ -5,13 +5,13 @@ use std::collections::VecDeque;
 use eframe::egui;
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-/// Milliseconds of a frame: planning on the CPU; casters, filter and shading on the device.
-pub type PassTimes = [f64; 4];
+/// Milliseconds of a frame: planning on the CPU; bending, casters, filter and shading on the device.
+pub type PassTimes = [f64; 5];
 
 /// How far back the plot goes, seconds.
 const SECONDS: f64 = 10.0;
 
-const NAMES: [&str; 4] = ["plan (CPU)", "casters", "filter", "shade"];
+const NAMES: [&str; 5] = ["plan (CPU)", "deform", "casters", "filter", "shade"];
 
 /// The times of the frames of the last ten seconds.
 #[derive(Clone, Debug, Default)]
@@ -41,7 +41,7 @@ impl Timings {
         ui.heading("Time");
         if let Some(median) = self.median() {
             ui.label(format!("{median:.2} ms a picture on the device"))
-                .on_hover_text("The median over the last ten seconds: casters, filter and shading.");
+                .on_hover_text("The median over the last ten seconds: bending, casters, filter and shading.");
         }
         let Some((last, _)) = self.frames.back() else {
             ui.weak("No times yet: they come from the device as the picture is drawn anew, where it has timestamps.");
@@ -78,7 +78,7 @@ mod tests {
         let mut timings = Timings::default();
         assert_eq!(timings.median(), None);
         for (now, casters) in [(0.0, 100.0), (20.0, 1.0), (21.0, 2.0), (22.0, 9.0)] {
-            timings.push(now, [50.0, casters, 0.0, 1.0]);
+            timings.push(now, [50.0, 0.0, casters, 0.0, 1.0]);
         }
         assert_eq!(timings.frames.len(), 3);
         assert_eq!(timings.median(), Some(3.0), "without what the CPU planned");

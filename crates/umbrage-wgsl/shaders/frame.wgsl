@@ -27,6 +27,9 @@ struct UmbrageView {
     depth_scale: vec3f,
     /// Where local space begins: at the apex of a punctual light, and at the origin for a sun. Its axes are the world's.
     local_origin: vec3f,
+    /// Where the tile's upper left texel lies in the lattice of the light's own texels, which no camera moves where the fit
+    /// moves the map by whole texels.
+    lattice: vec2u,
 }
 
 struct UmbrageLight {
@@ -75,6 +78,8 @@ struct UmbrageFrame {
     depth_layer_limit: f32,
     /// The share of a slice's depth, or of a map's half width, over which views blend into each other.
     blend: f32,
+    /// How casters are drawn that cover in part: a constant of `caster/covers.wgsl`.
+    transparent_casters: u32,
     /// What a shadow does to the picture: a constant of `receiver/shade.wgsl`.
     shade: u32,
     /// How much of that a full shadow does, 0 to 1.

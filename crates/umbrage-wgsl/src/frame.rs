@@ -1,8 +1,10 @@
 //! What shaders know of a frame, as bytes: the camera, the biases, the lights and their views. Mirrors `shaders/frame.wgsl`.
 
 use encase::{ShaderSize, ShaderType, StorageBuffer};
-use glam::{DVec3, Mat4, Vec2, Vec3, Vec4};
-use umbrage_core::{Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan, ShadowView};
+use glam::{DVec3, Mat4, UVec2, Vec2, Vec3, Vec4};
+use umbrage_core::{
+    Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan, ShadowView, TransparentCasters,
+};
 
 use crate::shared::shared_with_shaders;
 
@@ -20,6 +22,7 @@ shared_with_shaders! {
         light_kind: u32,
         depth_scale: Vec3,
         local_origin: Vec3,
+        lattice: UVec2,
     }
 }
 
@@ -55,6 +58,7 @@ shared_with_shaders! {
         depth_rounding: f32,
         depth_layer_limit: f32,
         blend: f32,
+        transparent_casters: u32,
         shade: u32,
         darkness: f32,
         shadow_colour: Vec4,
@@ -138,6 +142,7 @@ fn frame(plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings, mu
         depth_rounding: settings.depth.rounding(),
         depth_layer_limit: settings.bias.depth_layer_limit,
         blend: settings.blend,
+        transparent_casters: transparent_number(settings.transparent_casters),
         shade,
         darkness,
         shadow_colour: Vec4::from_array(shadow_colour),
@@ -156,6 +161,15 @@ pub(crate) fn kind_number(kind: LightKind) -> u32 {
         LightKind::Directional { .. } => 0,
         LightKind::Spot { .. } => 1,
         LightKind::Point { .. } => 2,
+    }
+}
+
+/// `UMBRAGE_TRANSPARENT_DITHER` and so on, of `shaders/caster/covers.wgsl`.
+pub(crate) fn transparent_number(casters: TransparentCasters) -> u32 {
+    match casters {
+        TransparentCasters::Dither => 0,
+        TransparentCasters::Solid => 1,
+        TransparentCasters::None => 2,
     }
 }
 
@@ -194,5 +208,6 @@ fn view(plan: &ShadowPlan, origin: DVec3, view: &ShadowView) -> View {
         light_kind: plan.lights().get(view.light).map_or(0, |light| kind_number(light.kind())),
         depth_scale: view.depth_scale,
         local_origin: view.local_origin(origin),
+        lattice: UVec2::from_array(view.lattice()),
     }
 }

@@ -43,7 +43,7 @@ pub use key::ShaderKey;
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
     caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings, map, peel, peel_bindings,
-    receiver, receiver_bindings, receiver_with,
+    receiver, receiver_bindings, receiver_with, second_caster,
 };
 
 #[cfg(test)]

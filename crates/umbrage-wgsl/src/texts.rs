@@ -56,15 +56,29 @@ pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
     bindings
 }
 
-/// WGSL to put in front of a caster's vertex shader: `umbrage_caster_position(world_position) -> vec4f`. Its bindings are group
-/// `group` of the pipeline: [`caster_bindings`].
+/// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader; for a
+/// fragment shader, where casters have holes, `umbrage_caster_fragment(position)`, which does nothing here, and
+/// `umbrage_caster_covers(position, id, coverage) -> bool`, whether what covers in part is drawn in this texel. Its bindings are
+/// group `group` of the pipeline: [`caster_bindings`].
 pub fn caster(group: u32) -> String {
-    said(link(Recipe { roots: &["caster/caster"], ..Recipe::default() }).map(|text| in_group(&text, group)))
+    caster_with("caster/first", group)
+}
+
+/// WGSL that declares what [`caster`] does, for the second surface that the light meets: `umbrage_caster_fragment(position)` leaves
+/// out the first, by discard, so every fragment shader calls it. Its bindings are [`peel_bindings`].
+pub fn second_caster(group: u32) -> String {
+    caster_with("caster/second", group)
+}
+
+fn caster_with(surface: &str, group: u32) -> String {
+    let roots = &["caster/caster", surface, "caster/covers"];
+    said(link(Recipe { roots, ..Recipe::default() }).map(|text| in_group(&text, group)))
 }
 
 /// What [`caster`] binds.
 pub fn caster_bindings() -> Vec<Binding> {
-    vec![Binding::frame(Stages::Vertex), Binding::current_view(Stages::Vertex)]
+    let stages = Stages::VertexAndFragment;
+    vec![Binding::frame(stages), Binding::current_view(stages)]
 }
 
 /// WGSL of a vertex shader `clear`: a triangle that empties a whole tile. It binds nothing.
@@ -77,7 +91,7 @@ pub fn peel() -> String {
     said(link(Recipe { roots: &["caster/peel"], ..Recipe::default() }))
 }
 
-/// What [`caster`] and [`peel`] bind together.
+/// What [`second_caster`] binds, and [`caster`] and [`peel`] bind together.
 pub fn peel_bindings() -> Vec<Binding> {
     vec![
         Binding::frame(Stages::VertexAndFragment),

@@ -2,7 +2,7 @@
 //! `cargo run --release -p umbrage --example embed`
 
 use glam::Vec3;
-use umbrage::{Bounds, Camera, CasterVertex, Light, Projection, Settings, Shadows, caster_wgsl};
+use umbrage::{Bounds, Camera, CasterPipeline, Light, Projection, Settings, Shadows, caster_wgsl};
 
 const SIZE: u32 = 512;
 const COLOUR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
@@ -49,14 +49,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let source = wgpu::ShaderSource::Wgsl(parts.concat().into());
         device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
     };
-    let my_casters = CasterVertex {
-        module: &module(&[&caster_wgsl(), MY_SCENE, MY_CASTERS]),
-        entry_point: "caster",
-        buffers: &[],
-        bind_group_layouts: &[],
-        front_face: wgpu::FrontFace::Ccw,
-    };
-    let casters = shadows.caster_pipeline(&device, &my_casters);
+    let my_module = module(&[&caster_wgsl(0), MY_SCENE, MY_CASTERS]);
+    let casters = shadows.caster_pipeline(&device, &CasterPipeline::new(&my_module, "caster"));
     let matrix = format!("{:?}", camera.clip_from_world().to_cols_array()).replace(['[', ']'], "");
     let my_camera = format!("const CLIP_FROM_WORLD = mat4x4f({matrix});");
     let mine = my_pipeline(&device, &module(&[&shadows.wgsl(0), &my_camera, MY_SCENE, MY_SHADING]), &shadows);

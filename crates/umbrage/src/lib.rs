@@ -27,7 +27,8 @@
 
 mod bindings;
 mod capabilities;
-mod caster_pass;
+mod caster_pipeline;
+mod caster_state;
 mod casting;
 mod changed;
 mod compute;
@@ -48,7 +49,8 @@ mod sums;
 mod supported;
 
 pub use capabilities::Capabilities;
-pub use caster_pass::CasterVertex;
+pub use caster_pipeline::{CasterPipeline, CasterStage};
+pub use caster_state::CasterState;
 pub use casting::Casting;
 pub use changed::Changed;
 pub use contact::ContactShadows;
@@ -63,18 +65,23 @@ pub use umbrage_core::{
     Place, PlanError, Plane, Precision, Prefilter, Preset, Projection, Query, RASTER_STEP_TEXELS, Rays,
     ReceiverKey, STEEPEST_PLANE, Scheme, Select, Settings, SettingsError, Shade, ShaderNumber, ShaderValue,
     ShadowPlan, ShadowView, SoftMoments, Splits, Storage, Stored, SummedVariance, TexelBasis, TexelExtent,
-    TexelPrecision, Tile, Variance, ViewKey, Vsm, Warp, balanced_warp_near, ideal_storage_factor, kernel,
-    largest_perspective_error, perspective_error, perspective_texel_extent, plan, schema, split_distances,
-    storage_factor, texel_extent, view_of,
+    TexelPrecision, Tile, TransparentCasters, Variance, ViewKey, Vsm, Warp, balanced_warp_near,
+    ideal_storage_factor, kernel, largest_perspective_error, perspective_error, perspective_texel_extent,
+    plan, schema, split_distances, storage_factor, texel_extent, view_of,
 };
 pub use {glam, umbrage_wgsl as shaders, wgpu};
 
 pub use umbrage_wgsl::{contact as contact_wgsl, map as map_wgsl};
 
-/// WGSL to put in front of a caster's vertex shader: see [`shaders::caster`]. Its bindings are group 0 of the pipeline; yours
-/// start at 1.
-pub fn caster_wgsl() -> String {
-    shaders::caster(0)
+/// WGSL to put in front of a caster's shaders: see [`shaders::caster`]. Its bindings are group `group` of the pipeline: 0 in those of
+/// [`Shadows::caster_pipeline`], and any in a host's own ([`CasterState`]).
+pub fn caster_wgsl(group: u32) -> String {
+    shaders::caster(group)
+}
+
+/// The same for the second surface that the light meets: see [`shaders::second_caster`] and [`Shadows::second_caster_pipeline`].
+pub fn second_caster_wgsl(group: u32) -> String {
+    shaders::second_caster(group)
 }
 
 /// WGSL to put in front of a receiver's shader, on a device that can do this: see [`shaders::receiver`]. Its bindings are group

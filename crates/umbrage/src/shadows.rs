@@ -1,6 +1,7 @@
 //! The façade: what a renderer holds to have shadows.
 
 mod access;
+mod casters;
 mod drawing;
 
 use glam::DVec3;

@@ -37,8 +37,8 @@ struct Report<'a> {
     baselines: Option<Baselines>,
     /// The views of the last frame.
     views: Vec<View>,
-    /// Every timed frame, in order: plan, casters, shade, frame, filter.
-    every_frame: Vec<[f64; 5]>,
+    /// Every timed frame, in order: plan, casters, shade, frame, filter, bending.
+    every_frame: Vec<[f64; 6]>,
 }
 
 #[derive(Serialize)]
@@ -106,7 +106,10 @@ pub fn run(args: &BenchArgs) -> Outcome {
             no_culling: Milliseconds::of(&no_culling),
         }),
         views: loads.into_iter().map(view).collect(),
-        every_frame: samples.iter().map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter]).collect(),
+        every_frame: samples
+            .iter()
+            .map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter, t.deform])
+            .collect(),
     };
     match &args.json {
         Some(path) => output::write_json(path, &report)?,
@@ -159,13 +162,20 @@ fn text(report: &Report<'_>) -> String {
 }
 
 fn table(milliseconds: &Milliseconds) -> String {
-    let Milliseconds { plan, casters, filter, shade, frame } = milliseconds;
+    let Milliseconds { plan, deform, casters, filter, shade, frame } = milliseconds;
     let row = |(name, spread): (&str, &Spread)| {
         let Spread { median, p5, p95 } = spread;
         format!("  {name:<8} {median:9.3} ms  ({p5:.3} to {p95:.3})\n")
     };
-    [("plan", plan), ("casters", casters), ("filter", filter), ("shade", shade), ("frame", frame)]
-        .into_iter()
-        .map(row)
-        .collect()
+    [
+        ("plan", plan),
+        ("deform", deform),
+        ("casters", casters),
+        ("filter", filter),
+        ("shade", shade),
+        ("frame", frame),
+    ]
+    .into_iter()
+    .map(row)
+    .collect()
 }

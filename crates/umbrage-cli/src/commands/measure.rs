@@ -133,8 +133,10 @@ fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sur
     let mut text =
         format!("{world}, camera {camera}: {triangles} triangles, {width} x {height} on {adapter}\n");
     text += &format!("{texels} texels, {bytes} bytes of shadow maps\n");
+    // Most worlds have no glass.
+    let partly = if truth.partial > 0 { format!(", {} lit in part", truth.partial) } else { String::new() };
     text += &format!(
-        "{} pixels judged, {} of them shadowed, {} ambiguous; {:.0} pixels of shadow edge\n\n",
+        "{} pixels judged, {} of them shadowed{partly}, {} ambiguous; {:.0} pixels of shadow edge\n\n",
         truth.pixels, truth.shadowed, truth.ambiguous, truth.edge_px
     );
     for figure in figures::ALL.iter().filter(|figure| !figure.key.starts_with("truth")) {

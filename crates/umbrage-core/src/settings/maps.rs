@@ -1,5 +1,6 @@
 //! What are the maps, what do they cover, and which of them serves a receiver?
 
+use super::transparent::TRANSPARENT_CASTERS;
 use crate::fit::FITS;
 use crate::schema::cost::Cost;
 use crate::schema::group::Group;
@@ -64,7 +65,8 @@ pub enum Select {
     Map,
 }
 
-pub(crate) const KEYS: &[Key] = &[RESOLUTION, DEPTH, STORAGE, FIT, UNCLIPPED_DEPTH, WARP, SELECT, BLEND];
+pub(crate) const KEYS: &[Key] =
+    &[RESOLUTION, DEPTH, STORAGE, FIT, UNCLIPPED_DEPTH, TRANSPARENT_CASTERS, WARP, SELECT, BLEND];
 
 const BASE: Key = Key { costs: &[Cost::Plan], ..Key::of(Group::Maps) };
 

@@ -8,7 +8,7 @@ use toml::Value;
 use umbrage_core::schema::{Key, Values, keys};
 use umbrage_core::{
     CasterFaces, DepthFormat, DepthLayer, Filter, Fit, MomentPrecision, NoiseSource, Precision, Scheme,
-    Select, Shade, Storage, Warp,
+    Select, Shade, Storage, TransparentCasters, Warp,
 };
 
 use crate::samples::kinds;
@@ -56,6 +56,9 @@ fn every_variant_is_a_choice_and_every_choice_a_variant() {
             ("depth", _) => are_choices::<DepthFormat>(key, &variants!(DepthFormat: F32, U16)),
             ("storage", _) => are_choices::<Storage>(key, &variants!(Storage: Array, Atlas)),
             ("fit", _) => are_choices::<Fit>(key, &variants!(Fit: Scene, View, Stable)),
+            ("transparent_casters", _) => {
+                are_choices::<TransparentCasters>(key, &variants!(TransparentCasters: Dither, Solid, None));
+            }
             ("warp", _) => are_choices::<Warp>(key, &variants!(Warp: None, Psm, Lispsm, Tsm)),
             ("select", _) => are_choices::<Select>(key, &variants!(Select: Depth, ClipDepth, Map)),
             ("bias.casters", _) => {

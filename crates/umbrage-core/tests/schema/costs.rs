@@ -92,6 +92,7 @@ fn cuts_distance_bias_and_shade_make_no_object_of_the_gpu() {
         "distance",
         "near",
         "fit",
+        "transparent_casters",
         "bias.constant",
         "bias.slope",
         "bias.slope_limit",

@@ -149,6 +149,7 @@ fn row(
             pixels: 150_000,
             ambiguous: 90,
             shadowed: 40_000,
+            partial: 0,
             edge_px: 5_000.0,
             standard_error: 0.0,
         },
@@ -227,6 +228,7 @@ fn milliseconds(frame: f64) -> Milliseconds {
     let spread = |median: f64| Spread { median, p5: 0.93 * median, p95: 1.15 * median };
     Milliseconds {
         plan: spread(0.05),
+        deform: spread(0.0),
         casters: spread(0.5 * frame),
         filter: spread(0.0),
         shade: spread(0.4 * frame),

@@ -18,9 +18,7 @@ fn extent_colour(pixels: f32) -> vec3f {
     return pow(mix(vec3f(1.0), end, abs(stops)), vec3f(2.2));
 }
 
-@fragment
-fn shade(receiver: Receiver) -> @location(0) vec4f {
-    let facing = geometric_normal(receiver.from_eye);
+fn shown(base: vec3f, receiver: Receiver, facing: vec3f) -> vec4f {
     let view = umbrage_view_of(0u, scene.eye + receiver.from_eye, facing);
     if view == UMBRAGE_NO_VIEW {
         return vec4f(vec3f(0.009), 1.0);

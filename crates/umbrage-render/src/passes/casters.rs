@@ -1,25 +1,29 @@
-//! The pass that draws a scene's casters into a shadow view.
+//! The pass that draws a scene's casters into a shadow view: pipelines for each cover that surfaces have, and for instances
+//! that mirror their mesh.
 
-use umbrage::{CasterVertex, ShadowView, Shadows, caster_wgsl};
+use umbrage::{CasterPipeline, CasterStage, ShadowView, Shadows, caster_wgsl, second_caster_wgsl};
 
+use crate::cover::Cover;
 use crate::draws::Draw;
 use crate::gpu::Gpu;
 use crate::placement::Placement;
-use crate::scene_buffers::{CASTER_BUFFERS, SceneBuffers};
+use crate::scene_buffers::{CASTER_BUFFERS, RECEIVER_BUFFERS, SceneBuffers};
 use crate::shaders;
 
 /// How a scene's casters are drawn into any view.
 #[derive(Debug)]
 pub(crate) struct Casters {
-    /// For instances as they are, and for instances that mirror their mesh: these turn its winding over.
-    by_mirroring: [wgpu::RenderPipeline; 2],
+    first: Pipelines,
     /// The same for views that clip casters at their near plane, where the others flatten them onto it.
-    clipping_by_mirroring: Option<[wgpu::RenderPipeline; 2]>,
+    clipping: Option<Pipelines>,
     /// The same for the second surface that the light meets, where there is one.
-    second_by_mirroring: Option<[wgpu::RenderPipeline; 2]>,
+    second: Option<Pipelines>,
     /// Group 1 of all.
     instances: wgpu::BindGroup,
 }
+
+/// Pipelines by cover, each for instances as they are, and for those that mirror their mesh, which turns its winding over.
+type Pipelines = Vec<(Cover, [wgpu::RenderPipeline; 2])>;
 
 /// Which surface a pass draws, of those that the light meets.
 #[derive(Clone, Copy, Debug)]
@@ -34,32 +38,22 @@ impl Casters {
         let layout = gpu.layout("Casters::layout", types);
         let instances = [scene.placement.buffer.as_entire_binding()];
         let instances = gpu.bind_group("Casters::instances", &layout, instances);
-        let module = gpu.module("Casters::module", shaders::casters(&caster_wgsl()));
-        let groups = [&layout];
-        let vertices = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| CasterVertex {
-            module: &module,
-            entry_point: "caster",
-            buffers: &CASTER_BUFFERS,
-            bind_group_layouts: &groups,
-            front_face,
-        });
-        let [plain, mirrored] = &vertices;
-        let first = |vertex| gpu.counted(shadows.caster_pipeline(&gpu.device, vertex));
-        let clipping =
-            |vertex| shadows.clipping_caster_pipeline(&gpu.device, vertex).map(|made| gpu.counted(made));
-        let second =
-            |vertex| shadows.second_caster_pipeline(&gpu.device, vertex).map(|made| gpu.counted(made));
+        let pipelines = |library: &str, make: &Make<'_>| pipelines(gpu, scene, &layout, library, make);
+        let device = &gpu.device;
         Self {
-            by_mirroring: [plain, mirrored].map(first),
-            clipping_by_mirroring: clipping(plain).zip(clipping(mirrored)).map(<[_; 2]>::from),
-            second_by_mirroring: second(plain).zip(second(mirrored)).map(<[_; 2]>::from),
+            first: pipelines(&caster_wgsl(0), &|caster| Some(shadows.caster_pipeline(device, caster)))
+                .unwrap_or_default(),
+            clipping: pipelines(&caster_wgsl(0), &|caster| shadows.clipping_caster_pipeline(device, caster)),
+            second: pipelines(&second_caster_wgsl(0), &|caster| {
+                shadows.second_caster_pipeline(device, caster)
+            }),
             instances,
         }
     }
 
     /// Whether each view is drawn once more, for the second surface that the light meets.
     pub fn has_second(&self) -> bool {
-        self.second_by_mirroring.is_some()
+        self.second.is_some()
     }
 
     /// Draws casters into a pass that [`Shadows`] began.
@@ -73,20 +67,74 @@ impl Casters {
         draws: &[Draw],
     ) {
         let pipelines = match surface {
-            Surface::First if view.unclipped_depth => Some(&self.by_mirroring),
-            Surface::First => self.clipping_by_mirroring.as_ref().or(Some(&self.by_mirroring)),
-            Surface::Second => self.second_by_mirroring.as_ref(),
+            Surface::First if view.unclipped_depth => Some(&self.first),
+            Surface::First => self.clipping.as_ref().or(Some(&self.first)),
+            Surface::Second => self.second.as_ref(),
         };
         let Some(pipelines) = pipelines else { return };
         pass.set_bind_group(1, &self.instances, &[]);
-        scene.bind_casters(pass, instance_numbers);
-        let mut set = None;
+        let (mut set, mut buffers, mut material) = (None, None, None);
         for draw in draws {
-            if set != Some(draw.mirrored) {
-                pass.set_pipeline(&pipelines[usize::from(draw.mirrored)]);
-                set = Some(draw.mirrored);
+            let is_solid = draw.cover == Cover::Solid;
+            if set != Some((draw.cover, draw.mirrored)) {
+                let found = pipelines.iter().find(|(cover, _)| *cover == draw.cover);
+                let Some((_, by_mirroring)) = found else { continue };
+                pass.set_pipeline(&by_mirroring[usize::from(draw.mirrored)]);
+                set = Some((draw.cover, draw.mirrored));
+            }
+            if buffers != Some(is_solid) {
+                if is_solid {
+                    scene.bind_casters(pass, instance_numbers);
+                } else {
+                    scene.bind_surfaces(pass, instance_numbers);
+                }
+                buffers = Some(is_solid);
+            }
+            if !is_solid && material != Some(draw.material) {
+                pass.set_bind_group(2, &scene.materials.groups[draw.material as usize], &[]);
+                material = Some(draw.material);
             }
             pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
         }
     }
+}
+
+/// Makes a pipeline of one kind, where there is that kind.
+type Make<'a> = dyn Fn(&CasterPipeline<'_>) -> Option<wgpu::RenderPipeline> + 'a;
+
+/// Pipelines of one kind for all covers of a scene, behind the library's text.
+fn pipelines(
+    gpu: &Gpu,
+    scene: &SceneBuffers,
+    instances: &wgpu::BindGroupLayout,
+    library: &str,
+    make: &Make<'_>,
+) -> Option<Pipelines> {
+    let [positions, numbers, attributes] = RECEIVER_BUFFERS;
+    let surfaces = [positions, numbers, attributes, Some(scene.colours.stream.clone())];
+    let groups = [instances, &scene.materials.layout];
+    let one = |cover: &Cover| {
+        let module = gpu.module("Casters::module", shaders::casters(library, *cover));
+        let solid = CasterPipeline {
+            buffers: &CASTER_BUFFERS,
+            bind_group_layouts: &groups[..1],
+            ..CasterPipeline::new(&module, "caster")
+        };
+        let cut = |fragment| CasterPipeline {
+            buffers: &surfaces,
+            bind_group_layouts: &groups,
+            fragment: Some(CasterStage::new(&module, fragment)),
+            ..CasterPipeline::new(&module, "cut_caster")
+        };
+        let caster = match cover {
+            Cover::Solid => solid,
+            Cover::Cut => cut("cut_out"),
+            Cover::Veil => cut("dither"),
+        };
+        let [plain, mirrored] = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| {
+            make(&CasterPipeline { front_face, ..caster.clone() }).map(|made| gpu.counted(made))
+        });
+        Some((*cover, [plain?, mirrored?]))
+    };
+    scene.covers.iter().map(one).collect()
 }

@@ -2,6 +2,7 @@
 
 use umbrage::{Camera, ContactShadows};
 
+use crate::cover::Cover;
 use crate::draws::Draw;
 use crate::gpu::Gpu;
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers};
@@ -9,11 +10,12 @@ use crate::scene_uniform::SceneUniform;
 use crate::shaders;
 use crate::target::DEPTH_FORMAT;
 
-/// A pipeline that draws depth, and the depth of a picture of one size.
+/// Pipelines that draw depth, and the depth of a picture of one size.
 #[derive(Debug)]
 pub(crate) struct Prepass {
     contact: ContactShadows,
-    pipeline: wgpu::RenderPipeline,
+    /// One for each cover of the scene.
+    by_cover: Vec<(Cover, wgpu::RenderPipeline)>,
     depth: Depth,
 }
 
@@ -25,34 +27,12 @@ struct Depth {
 }
 
 impl Prepass {
-    /// The vertex shader is that of the shading pass, so that both passes see the same depths.
-    pub fn new(gpu: &Gpu, uniform: &SceneUniform, size: [u32; 2]) -> Self {
-        let module = gpu.module("Prepass::module", shaders::depth());
-        let layout = gpu.pipeline_layout("Prepass::layout", &[Some(&uniform.layout)]);
-        let pipeline = gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("Prepass::pipeline"),
-            layout: Some(&layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("receiver"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &RECEIVER_BUFFERS,
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH_FORMAT,
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Greater),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: None,
-            multiview_mask: None,
-            cache: None,
-        });
+    /// The vertex shaders are those of the shading pass, so that both passes see the same depths.
+    pub fn new(gpu: &Gpu, (uniform, scene): (&SceneUniform, &SceneBuffers), size: [u32; 2]) -> Self {
+        let by_cover =
+            scene.covers.iter().map(|cover| (*cover, pipeline(gpu, uniform, scene, *cover))).collect();
         let contact = ContactShadows::new(&gpu.device);
-        Self { depth: Depth::new(gpu, &contact, size), contact, pipeline }
+        Self { depth: Depth::new(gpu, &contact, size), contact, by_cover }
     }
 
     /// Makes depth for a picture of `size` pixels, where it has another size.
@@ -77,7 +57,7 @@ impl Prepass {
         &self.depth.group
     }
 
-    /// Draws receivers.
+    /// Draws receivers, and veils where they cover at least half of their place.
     pub fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
@@ -85,7 +65,7 @@ impl Prepass {
         uniform: &SceneUniform,
         scene: &SceneBuffers,
         instance_numbers: &wgpu::Buffer,
-        draws: &[Draw],
+        draws: [&[Draw]; 2],
     ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("Prepass::pass"),
@@ -103,13 +83,57 @@ impl Prepass {
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &uniform.group, &[]);
-        scene.bind_receivers(&mut pass, instance_numbers);
-        for draw in draws {
+        let mut set = None;
+        for draw in draws.iter().flat_map(|draws| draws.iter()) {
+            if set != Some(draw.cover) {
+                let found = self.by_cover.iter().find(|(cover, _)| *cover == draw.cover);
+                let Some((_, pipeline)) = found else { continue };
+                pass.set_pipeline(pipeline);
+                scene.bind_surfaces(&mut pass, instance_numbers);
+                set = Some(draw.cover);
+            }
+            if draw.cover != Cover::Solid {
+                pass.set_bind_group(2, &scene.materials.groups[draw.material as usize], &[]);
+            }
             pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());
         }
     }
+}
+
+fn pipeline(gpu: &Gpu, uniform: &SceneUniform, scene: &SceneBuffers, cover: Cover) -> wgpu::RenderPipeline {
+    let module = gpu.module("Prepass::module", shaders::depth(cover));
+    let is_solid = cover == Cover::Solid;
+    let groups = [Some(&uniform.layout), None, Some(&scene.materials.layout)];
+    let layout = gpu.pipeline_layout("Prepass::layout", if is_solid { &groups[..1] } else { &groups });
+    let [positions, instances, attributes] = RECEIVER_BUFFERS;
+    gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("Prepass::pipeline"),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some(if is_solid { "receiver" } else { "coloured_receiver" }),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[positions, instances, attributes, Some(scene.colours.stream.clone())],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Greater),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: (!is_solid).then(|| wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("cut_depth"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
 }
 
 impl Depth {

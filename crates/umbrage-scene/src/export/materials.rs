@@ -11,16 +11,18 @@ use gltf::json::extensions::texture::{
     TextureTransformScale,
 };
 use gltf::json::material::{
-    EmissiveFactor, NormalTexture, OcclusionTexture, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor,
+    AlphaCutoff, AlphaMode, EmissiveFactor, NormalTexture, OcclusionTexture, PbrBaseColorFactor,
+    PbrMetallicRoughness, StrengthFactor,
 };
+use gltf::json::validation::Checked::{self, Valid};
 use gltf::json::{Index, Material as JsonMaterial, Value, serialize, texture};
 
 use super::bytes::Document;
 use super::pieces::add_texture;
 use crate::error::Fault;
 use crate::extras;
-use crate::import::UNLIT;
-use crate::{Map, Maps, Material, Texture};
+use crate::import::{TRANSMISSION, UNLIT};
+use crate::{Alpha, Map, Maps, Material, Texture};
 
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 const SPECULAR: &str = "KHR_materials_specular";
@@ -71,14 +73,16 @@ impl Writer<'_> {
             roughness,
             specular,
             emission,
-            alpha: _,
-            transmission: _,
+            alpha,
+            transmission,
             unlit,
             casts,
             maps,
         } = material;
         let Maps { metallic_roughness, normal, occlusion, emission: emission_map } = *maps;
-        let numbers = [*metallic, *roughness, *specular];
+        let (alpha_mode, alpha_cutoff) = coverage(*alpha);
+        let cutoff = alpha_cutoff.map_or(0.0, |cutoff| cutoff.0);
+        let numbers = [*metallic, *roughness, *specular, *transmission, cutoff];
         let is_finite = base_colour.is_finite() && emission.is_finite();
         if !is_finite || !numbers.iter().all(|number| number.is_finite()) {
             return Err(Fault(format!("material {name:?} has numbers that are not finite, {material:?}")));
@@ -98,20 +102,29 @@ impl Writer<'_> {
         Ok(JsonMaterial {
             name: Some(name.clone()),
             pbr_metallic_roughness,
+            alpha_mode,
+            alpha_cutoff,
             normal_texture: normal.and_then(|(map, scale)| self.normal(map, scale)),
             occlusion_texture: occlusion.and_then(|(map, strength)| self.occlusion(map, strength)),
             emissive_texture: emission_map.and_then(|map| self.colours(map)),
             emissive_factor: EmissiveFactor((*emission / strength).to_array()),
-            extensions: self.extensions(strength, *specular, *unlit),
+            extensions: self.extensions(strength, *specular, *transmission, *unlit),
             extras: extras::of_material(*casts)?,
             ..JsonMaterial::default()
         })
     }
 
-    fn extensions(&mut self, strength: f32, specular: f32, unlit: bool) -> Option<Extensions> {
+    fn extensions(
+        &mut self,
+        strength: f32,
+        specular: f32,
+        transmission: f32,
+        unlit: bool,
+    ) -> Option<Extensions> {
         let members = [
             (STRENGTH, Some(("emissiveStrength", strength)), strength != 1.0),
             (SPECULAR, Some(("specularFactor", specular)), specular != 1.0),
+            (TRANSMISSION, Some(("transmissionFactor", transmission)), transmission != 0.0),
             (UNLIT, None, unlit),
         ];
         let mut extensions = Extensions::default();
@@ -174,5 +187,14 @@ impl Writer<'_> {
             scale: TextureTransformScale(scale.to_array()),
             ..TextureTransform::default()
         })
+    }
+}
+
+/// The mode of an alpha, and its cut-off where it has one.
+fn coverage(alpha: Alpha) -> (Checked<AlphaMode>, Option<AlphaCutoff>) {
+    match alpha {
+        Alpha::Opaque => (Valid(AlphaMode::Opaque), None),
+        Alpha::Mask { cutoff } => (Valid(AlphaMode::Mask), Some(AlphaCutoff(cutoff))),
+        Alpha::Blend => (Valid(AlphaMode::Blend), None),
     }
 }

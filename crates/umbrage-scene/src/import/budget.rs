@@ -12,6 +12,7 @@ pub(super) struct Budget {
     influences: usize,
     displacements: usize,
     keys: usize,
+    unpacked: usize,
     is_overdrawn: bool,
 }
 
@@ -22,7 +23,6 @@ impl Budget {
     pub const CORNERS: usize = 1 << 26;
     /// Pixels of all textures together: one of 16384 by 16384, a gibibyte.
     pub const PIXELS: usize = 1 << 28;
-
     /// Instances in all that nodes make of themselves, by `EXT_mesh_gpu_instancing`: half a gibibyte.
     pub const INSTANCES: usize = 1 << 20;
     /// Joints of vertices in all, those that count for nothing included: 16 million vertices with four each.
@@ -31,6 +31,8 @@ impl Budget {
     pub const DISPLACEMENTS: usize = 1 << 25;
     /// Numbers in the keys of all animations, times included: a quarter of a gibibyte.
     pub const KEYS: usize = 1 << 26;
+    /// Bytes of all that is decompressed: a gibibyte, which is as much as the vertices need.
+    pub const UNPACKED: usize = 1 << 30;
 
     pub fn new() -> Self {
         Self {
@@ -41,6 +43,7 @@ impl Budget {
             influences: Self::INFLUENCES,
             displacements: Self::DISPLACEMENTS,
             keys: Self::KEYS,
+            unpacked: Self::UNPACKED,
             is_overdrawn: false,
         }
     }
@@ -59,7 +62,19 @@ impl Budget {
         taken
     }
 
-    /// Whether more vertices or corners were wanted than there is room for. Then a scene is refused as a whole: half a
+    /// Takes room for `count` more bytes of what is decompressed.
+    pub fn unpacked(&mut self, count: usize) -> Result<(), Fault> {
+        let taken = take(&mut self.unpacked, count, "bytes of what is decompressed", Self::UNPACKED);
+        self.is_overdrawn |= taken.is_err();
+        taken
+    }
+
+    /// How many bytes of what is decompressed there is room for.
+    pub fn unpacked_left(&self) -> usize {
+        self.unpacked
+    }
+
+    /// Whether more vertices, corners or decompressed bytes were wanted than there is room for. Then a scene is refused as a whole: half a
     /// world would be taken for all of it.
     pub fn is_overdrawn(&self) -> bool {
         self.is_overdrawn

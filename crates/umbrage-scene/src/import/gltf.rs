@@ -18,6 +18,7 @@ mod members;
 mod meshes;
 mod morphs;
 mod nodes;
+mod packed;
 mod place;
 mod rigging;
 mod skins;
@@ -29,12 +30,13 @@ mod visibility;
 
 use gltf::json::Root;
 
-pub(crate) use self::materials::UNLIT;
+pub(crate) use self::materials::{TRANSMISSION, UNLIT};
 
 use self::accessors::{Bytes, Data};
 use self::place::Contents;
 use super::budget::Budget;
 use super::files::Files;
+use super::progress::Progress;
 use super::recentre::Rebased;
 use super::warnings::Warnings;
 use super::{recentre, settle};
@@ -52,14 +54,15 @@ pub(super) fn read(
     bytes: &[u8],
     name: &str,
     files: Files<'_>,
+    progress: &Progress<'_>,
     warnings: &mut Warnings,
 ) -> Result<Scene, Fault> {
     let (text, binary) = chunks::split(bytes, warnings)?;
-    let document = document::read(text, warnings)?;
-    let root = &document.root;
-    let buffers = fetch_buffers(root, binary, files);
-    let data = Data { root, buffers: &buffers, broken: &document.broken };
+    let mut document = document::read(text, warnings)?;
+    let mut buffers = fetch_buffers(&document.root, binary, files);
     let mut budget = Budget::new();
+    packed::unpack(&mut document, &mut buffers, &mut budget, progress, warnings);
+    let data = Data { root: &document.root, buffers: &buffers, broken: &document.broken, progress };
     let mut surfaces = materials::read(&data, files, &mut budget, warnings);
     let animations = animations::read(&document, &data, &mut budget, warnings);
     let skins = skins::read(&document, &data, warnings);

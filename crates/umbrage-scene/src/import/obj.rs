@@ -3,7 +3,10 @@
 //! `tobj` believes its input, and panics on some; so the text is checked before, in `checked.rs`, and the result after.
 
 mod checked;
+mod dissolve;
 mod library;
+mod materials;
+mod picture_options;
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -15,8 +18,8 @@ use super::draft::{Draft, Placed};
 use super::files::Files;
 use super::recentre::Rebased;
 use super::warnings::Warnings;
-use super::{normals, pictures, recentre, settle};
-use crate::error::{Fault, one_line};
+use super::{normals, recentre, settle};
+use crate::error::Fault;
 use crate::{Material, Mesh, Motion, Scene};
 
 /// One index a vertex, triangles only.
@@ -43,7 +46,7 @@ pub(super) fn read(
         .map_err(|why| Fault(format!("not a Wavefront OBJ file, {why}")))?;
 
     let mut scene = Scene { name: name.to_owned(), ..Scene::default() };
-    read_materials(&materials.unwrap_or_default(), files, &mut budget, &mut scene, warnings);
+    materials::read(&materials.unwrap_or_default(), files, &mut budget, &mut scene, warnings);
     let mut plain = None;
     for model in models.iter().filter(|model| !model.mesh.indices.is_empty()) {
         let material = model.mesh.material_id.unwrap_or_else(|| {
@@ -131,66 +134,4 @@ fn read_libraries(names: &[String], files: Files<'_>, warnings: &mut Warnings) -
         }
     }
     libraries
-}
-
-/// Colours, shininess, and pictures of diffuse colours; each picture is unpacked once. One that cannot be read leaves the
-/// colour.
-fn read_materials(
-    materials: &[tobj::Material],
-    files: Files<'_>,
-    budget: &mut Budget,
-    scene: &mut Scene,
-    warnings: &mut Warnings,
-) {
-    let mut textures: HashMap<&str, Option<usize>> = HashMap::new();
-    for tobj::Material { name, diffuse, diffuse_texture, specular, shininess, emissive, .. } in materials {
-        let [red, green, blue] = diffuse.unwrap_or([1.0; 3]);
-        let mut material = Material::plain(&one_line(name), red, green, blue);
-        material.emission =
-            emissive.map(Vec3::from).filter(|light| light.is_finite()).unwrap_or_default().max(Vec3::ZERO);
-        if let Some(colour) = specular.map(Vec3::from).filter(|colour| colour.max_element() > 0.0) {
-            material.specular = colour.max_element().min(1.0);
-            material.roughness = roughness(shininess.unwrap_or_default());
-        }
-        if let Some(path) = diffuse_texture.as_deref() {
-            material.texture = *textures.entry(path).or_insert_with(|| {
-                // Libraries from Windows.
-                let bytes = files.read(&path.replace('\\', "/"));
-                match bytes.and_then(|bytes| pictures::decode(&bytes, path.to_owned(), path, budget)) {
-                    Ok(texture) => {
-                        scene.textures.push(texture);
-                        Some(scene.textures.len() - 1)
-                    }
-                    Err(Fault(why)) => {
-                        warnings
-                            .note("pictures that cannot be read are left out, the plain colour stays", &why);
-                        None
-                    }
-                }
-            });
-        }
-        scene.materials.push(material);
-    }
-}
-
-/// The roughness of a surface with the exponent of Phong's highlight, 0 or more. Blinn's highlight of that exponent is about
-/// as wide as a microfacet distribution of α² = 2 / (n + 2) (Walter et al., *Microfacet Models for Refraction*, EGSR 2007,
-/// eq. 33), and α is the square of glTF's roughness.
-fn roughness(exponent: f32) -> f32 {
-    let exponent = if exponent.is_finite() { exponent.max(0.0) } else { 0.0 };
-    (2.0 / (exponent + 2.0)).powf(0.25)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_shinier_the_smoother() {
-        assert_eq!(
-            [roughness(0.0), roughness(30.0), roughness(-5.0), roughness(f32::NAN)],
-            [1.0, 0.5, 1.0, 1.0]
-        );
-        assert!(roughness(1000.0) < 0.22);
-    }
 }

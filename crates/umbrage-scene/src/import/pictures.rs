@@ -4,10 +4,13 @@
 //! it is what its name says.
 
 mod ktx;
+mod resize;
 
 use std::io::Cursor;
 
 use image::{ImageFormat, ImageReader, Limits};
+
+pub(super) use resize::resized;
 
 use super::budget::Budget;
 use crate::Texture;

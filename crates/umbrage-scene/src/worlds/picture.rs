@@ -21,7 +21,7 @@ pub(super) fn picture(name: &str, size_px: u32, side: f32, mut colour: impl FnMu
 }
 
 /// The sRGB transfer function (IEC 61966-2-1) at 4096 linear levels: a power for each pixel would take most of the time.
-fn srgb_table() -> Vec<u8> {
+pub(super) fn srgb_table() -> Vec<u8> {
     (0..4096)
         .map(|level| level as f32 / 4095.0)
         .map(|l| if l <= 0.003_130_8 { l * 12.92 } else { 1.055 * l.powf(1.0 / 2.4) - 0.055 })

@@ -6,7 +6,7 @@ use crate::dice::Dice;
 use crate::paint::Paint;
 use crate::shape::Model;
 use crate::{
-    Camera, CameraPath, Instance, Light, LightKind, Material, Mesh, Motion, PathKey, Primitive, Scene,
+    Alpha, Camera, CameraPath, Instance, Light, LightKind, Material, Mesh, Motion, PathKey, Primitive, Scene,
     Texture,
 };
 
@@ -74,6 +74,19 @@ impl Stage {
             ..Material::plain(&texture.name, 1.0, 1.0, 1.0)
         });
         self.scene.textures.push(texture);
+        self.scene.materials.len() - 1
+    }
+
+    /// Adds a material that is cut out of a picture where its alpha is at least one half.
+    pub fn masked(&mut self, texture: Texture) -> usize {
+        let material = self.textured(texture);
+        self.scene.materials[material].alpha = Alpha::Mask { cutoff: 0.5 };
+        material
+    }
+
+    /// Adds a material.
+    pub fn material(&mut self, material: Material) -> usize {
+        self.scene.materials.push(material);
         self.scene.materials.len() - 1
     }
 

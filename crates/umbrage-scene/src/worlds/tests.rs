@@ -1,3 +1,4 @@
+mod rigged;
 mod surveyed;
 mod views;
 
@@ -9,7 +10,7 @@ use crate::{Lens, Light, LightKind, Pose};
 /// What a world is to be: name, triangles, area in km², casters, moving ones, and near and far of the main camera.
 type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
 
-const TABLE: [Row; 14] = [
+const TABLE: [Row; 15] = [
     ("primitives", 1_300, 0.0016, 17, 0, [1.0, 80.0]),
     // The lamp flies with the light.
     ("orbit", 1_300, 0.0016, 8, 1, [1.0, 80.0]),
@@ -27,6 +28,8 @@ const TABLE: [Row; 14] = [
     ("mining-terrain", 1_300_000, 2.56, 10 + 2 * 15 + 20 + 10, 25, [1.0, 1000.0]),
     // A quarter of the land is 5.12 km wide.
     ("survey", 953_000, 26.2144, 3138, 0, [1.0, 5000.0]),
+    // Eight trees of 17 boughs, three poplars and seven swathes of tall grass move in the wind.
+    ("grove", 351_000, 0.81, 6063, 8 * 17 + 3 + 7, [0.3, 1000.0]),
 ];
 
 /// The surfaces that others stand on.
@@ -139,6 +142,7 @@ fn every_world_is_what_its_table_says_valid_and_seen_well() {
         let scene = world.build(0);
         assert_as_tabled(&scene, row);
         assert_valid(&scene);
+        rigged::assert_rig_valid(&scene);
         assert_seen_well(&scene);
         let sunny = scene.lights.iter().any(|light| light.kind == LightKind::Directional);
         assert_eq!(sunny, !views::SUNLESS.contains(&world.name), "{} has a sun", world.name);

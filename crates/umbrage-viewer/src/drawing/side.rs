@@ -132,9 +132,9 @@ impl Side {
 
     pub fn times(&mut self) -> Vec<PassTimes> {
         let mut times = Vec::new();
-        while let Some([casters, filter, shade]) = self.renderer.pass_times() {
+        while let Some([deform, casters, filter, shade]) = self.renderer.pass_times() {
             if let Some(Some(plan)) = self.awaited.pop_front() {
-                times.push([plan, casters, filter, shade]);
+                times.push([plan, deform, casters, filter, shade]);
             }
         }
         // As many as the device's clock keeps; without timestamps none ever come.

@@ -5,7 +5,7 @@ use eframe::egui;
 use crate::truth::{Figures, TruthOverlay};
 use crate::view_state::ViewState;
 
-const HELP: &str = "Rays are traced to every light, tile by tile, once the picture holds still (T). Orange: in shadow, and should be lit. Blue: lit, and should be in shadow. Dark: not judged.";
+const HELP: &str = "Rays are traced to every light, tile by tile, once the picture holds still (T). Orange: in shadow, and should be lit. Blue: lit, and should be in shadow. Grey: right, behind glass. Dark: not judged.";
 
 /// Shows the panel.
 pub fn show(ui: &mut egui::Ui, view: &mut ViewState, truth: &TruthOverlay) {

@@ -2,7 +2,9 @@
 
 use encase::ShaderType;
 use glam::{DVec3, Vec3};
-use umbrage_core::{Bounds, Camera, Contact, Disc, Filter, Light, NoiseSource, Projection, Settings, plan};
+use umbrage_core::{
+    Bounds, Camera, Contact, Disc, Filter, Light, NoiseSource, Projection, Settings, TransparentCasters, plan,
+};
 
 use crate::shared::fields_in_shader;
 use crate::*;
@@ -38,7 +40,7 @@ fn constant(text: &str, name: &str) -> u32 {
 }
 
 #[test]
-fn kinds_of_lights_shades_and_noises_have_the_numbers_that_shaders_know_them_by() {
+fn kinds_of_lights_shades_noises_and_casters_have_the_numbers_that_shaders_know_them_by() {
     let place = Vec3::ZERO;
     for (light, name) in [
         (Light::directional(Vec3::NEG_Y), "UMBRAGE_LIGHT_SUN"),
@@ -62,6 +64,13 @@ fn kinds_of_lights_shades_and_noises_have_the_numbers_that_shaders_know_them_by(
     let text = receiver(&key(NoiseSource::None), 0);
     assert_eq!(frame::ABSENCE, constant(&text, "UMBRAGE_SHADE_ABSENCE"));
     assert_eq!(frame::COLOUR, constant(&text, "UMBRAGE_SHADE_COLOUR"));
+    for (casters, name) in [
+        (TransparentCasters::Dither, "UMBRAGE_TRANSPARENT_DITHER"),
+        (TransparentCasters::Solid, "UMBRAGE_TRANSPARENT_SOLID"),
+        (TransparentCasters::None, "UMBRAGE_TRANSPARENT_NONE"),
+    ] {
+        assert_eq!(frame::transparent_number(casters), constant(&caster(0), name), "{name}");
+    }
 }
 
 #[test]

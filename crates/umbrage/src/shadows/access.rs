@@ -1,44 +1,12 @@
-//! What a host needs for its own pipelines, and to look into the maps.
+//! What a host needs for pipelines that ask for visibility, and to look into the maps.
 
-use umbrage_core::{CasterKey, MapLayout, MapTexels, Settings};
+use umbrage_core::{MapLayout, MapTexels, Settings};
 use umbrage_wgsl::{ShaderKey, receiver};
 
 use super::Shadows;
-use crate::caster_pass::{self, CasterVertex};
 use crate::error::ShadowError;
 
 impl Shadows {
-    /// A depth-only pipeline for the caller's vertices, with the settings' raster bias and faces.
-    pub fn caster_pipeline(&self, device: &wgpu::Device, vertex: &CasterVertex<'_>) -> wgpu::RenderPipeline {
-        let key = self.settings.caster_key();
-        caster_pass::pipeline(device, key, &self.parts.caster_layout, vertex, false)
-    }
-
-    /// The same for views whose [`ShadowView::unclipped_depth`](umbrage_core::ShadowView::unclipped_depth) is off, where
-    /// [`Self::caster_pipeline`] flattens casters onto the near plane: it clips them there. Only a lamp within a bulb needs it
-    /// ([`Light::with_near`](umbrage_core::Light::with_near)); `None` where the other one clips already.
-    pub fn clipping_caster_pipeline(
-        &self,
-        device: &wgpu::Device,
-        vertex: &CasterVertex<'_>,
-    ) -> Option<wgpu::RenderPipeline> {
-        let key = self.settings.caster_key();
-        let clipping = CasterKey { flattens: false, ..key };
-        let make = || caster_pass::pipeline(device, clipping, &self.parts.caster_layout, vertex, false);
-        key.flattens.then(make)
-    }
-
-    /// The same for [`Self::cast_second`] and [`Self::begin_second`]; `None` where there is no second surface.
-    pub fn second_caster_pipeline(
-        &self,
-        device: &wgpu::Device,
-        vertex: &CasterVertex<'_>,
-    ) -> Option<wgpu::RenderPipeline> {
-        let key = self.settings.caster_key();
-        let layout = &self.parts.layers.as_ref()?.peel_layout;
-        Some(caster_pass::pipeline(device, key, layout, vertex, true))
-    }
-
     /// WGSL to put in front of a shader that asks for visibility; its bindings are group `group` of the pipeline: see
     /// [`receiver`](umbrage_wgsl::receiver).
     pub fn wgsl(&self, group: u32) -> String {

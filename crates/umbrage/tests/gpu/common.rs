@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use umbrage::{
-    Bounds, Camera, Capabilities, CasterVertex, Light, Lookup, MapTexels, Place, Projection, Settings,
+    Bounds, Camera, Capabilities, CasterPipeline, Light, Lookup, MapTexels, Place, Projection, Settings,
     ShadowPlan, Shadows, caster_wgsl,
 };
 
@@ -177,7 +177,7 @@ pub struct Casters {
 
 impl Casters {
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shadows: &Shadows, world: &[[Vec3; 3]]) -> Self {
-        let source = caster_wgsl()
+        let source = caster_wgsl(0)
             + "@vertex fn caster(@location(0) p: vec3f) -> @builtin(position) vec4f { return umbrage_caster_position(p); }";
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("casters"),
@@ -188,13 +188,7 @@ impl Casters {
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &wgpu::vertex_attr_array![0 => Float32x3],
         })];
-        let vertex = CasterVertex {
-            module: &module,
-            entry_point: "caster",
-            buffers: &buffers,
-            bind_group_layouts: &[],
-            front_face: wgpu::FrontFace::Ccw,
-        };
+        let vertex = CasterPipeline { buffers: &buffers, ..CasterPipeline::new(&module, "caster") };
         Self {
             pipeline: shadows.caster_pipeline(device, &vertex),
             second: shadows.second_caster_pipeline(device, &vertex),

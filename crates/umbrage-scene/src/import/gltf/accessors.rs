@@ -11,8 +11,8 @@ use gltf::json::validation::Checked;
 use gltf::json::{Accessor, Index, Root, buffer};
 
 use super::document::Broken;
-use super::extensions;
 use crate::error::Fault;
+use crate::import::progress::Progress;
 
 /// Rows that an accessor without a view, all zeros but for the sparse ones, may have; nothing in the file pays for it.
 const MAX_ZERO_ROWS: u64 = 1 << 24;
@@ -26,6 +26,7 @@ pub(super) struct Data<'a> {
     pub root: &'a Root,
     pub buffers: &'a [Bytes<'a>],
     pub broken: &'a Broken,
+    pub progress: &'a Progress<'a>,
 }
 
 impl Data<'_> {
@@ -69,14 +70,7 @@ impl Data<'_> {
         let number = view.buffer.value();
         let buffer = match self.buffers.get(number) {
             Some(Ok(bytes)) => bytes,
-            Some(Err(why)) => {
-                // Who packs a view may leave out the bytes that others would read.
-                let others = view.extensions.as_ref().map(|e| &e.others);
-                let pack =
-                    extensions::PACKED.iter().find(|name| others.is_some_and(|o| o.contains_key(**name)));
-                let why = pack.map_or_else(|| why.clone(), |name| extensions::packed(name));
-                return Err(Fault(format!("buffer view {index}, {why}")));
-            }
+            Some(Err(why)) => return Err(Fault(format!("buffer view {index}, {why}"))),
             None => {
                 return Err(Fault(format!("buffer {number} of {} is not there", self.buffers.len())));
             }
@@ -228,6 +222,6 @@ fn numbers<const N: usize, const B: usize>(decode: impl Fn([u8; B]) -> f32) -> i
 }
 
 /// The `length` bytes from `start`, where there are so many.
-fn part(bytes: &[u8], start: u64, length: u64) -> Option<&[u8]> {
+pub(super) fn part(bytes: &[u8], start: u64, length: u64) -> Option<&[u8]> {
     bytes.get(usize::try_from(start).ok()?..usize::try_from(start.checked_add(length)?).ok()?)
 }

@@ -7,13 +7,17 @@
 use crate::import::warnings::Warnings;
 
 /// Extensions that are read here. What of a picture's or an instance's extension cannot be read is said there.
-const UNDERSTOOD: [&str; 11] = [
+const UNDERSTOOD: &[&str] = &[
     super::UNLIT,
+    super::TRANSMISSION,
     "KHR_materials_emissive_strength",
     "KHR_materials_specular",
     "KHR_lights_punctual",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
+    "KHR_draco_mesh_compression",
+    "KHR_meshopt_compression",
+    "EXT_meshopt_compression",
     "KHR_texture_basisu",
     "EXT_texture_webp",
     "EXT_mesh_gpu_instancing",
@@ -21,13 +25,9 @@ const UNDERSTOOD: [&str; 11] = [
     "KHR_animation_pointer",
 ];
 
-/// Extensions that pack triangles so that they cannot be read here.
-pub(super) const PACKED: [&str; 3] =
-    ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
-
-/// Warns about each extension that is not understood, once. Packed triangles are told of by who wants to read them.
+/// Warns about each extension that is not understood, once.
 pub(super) fn note(used: &[String], required: &[String], warnings: &mut Warnings) {
-    let is_told = |name: &String| UNDERSTOOD.contains(&name.as_str()) || PACKED.contains(&name.as_str());
+    let is_told = |name: &String| UNDERSTOOD.contains(&name.as_str());
     for name in required.iter().filter(|name| !is_told(name)) {
         let what = if changes_no_triangle(name) {
             "extensions are ignored that change the look, and no triangle"
@@ -39,11 +39,6 @@ pub(super) fn note(used: &[String], required: &[String], warnings: &mut Warnings
     for name in used.iter().filter(|name| !is_told(name) && !required.contains(name)) {
         warnings.note("extensions that are not supported are ignored", name);
     }
-}
-
-/// Why packed triangles cannot be read, and what to do.
-pub(super) fn packed(name: &str) -> String {
-    format!("packed with {name}, which is not supported: write the file without compression")
 }
 
 /// Whether an extension is known to say how things look or what they are called, and nothing of where triangles are.

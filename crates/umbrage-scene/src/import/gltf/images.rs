@@ -93,6 +93,7 @@ fn sources(data: &Data<'_>, texture: usize) -> Vec<usize> {
 }
 
 fn picture(data: &Data<'_>, index: usize, files: Files<'_>, budget: &mut Budget) -> Result<Texture, Fault> {
+    data.progress.step("pictures", index, data.root.images.len());
     let image: &Image = &data.root.images[index];
     let label = format!("image {index}");
     if let Some(why) = data.broken.get(&("images", index)) {

@@ -137,7 +137,8 @@ fn prune(value: &mut Value, textures: usize, lost: &mut Vec<String>) {
         return;
     };
     object.retain(|name, member| {
-        if name == "extras" {
+        // A texture transform without `texCoord` is written with null, too.
+        if name == "extras" || name == "texCoord" {
             return true;
         }
         let index = || member.get("index").and_then(Value::as_u64);

@@ -3,12 +3,11 @@
 //! A vertex has one pair of texture coordinates here: those of the base colour's picture, with its `KHR_texture_transform`
 //! applied; where there is none, of the first other picture. What other pictures do differently is a transform from there.
 
+mod coverage;
 mod mapping;
 mod maps;
 
 use glam::{Vec3, Vec4};
-use gltf::json::material::AlphaMode;
-use gltf::json::validation::Checked;
 use gltf::json::{Index, Material as JsonMaterial, Value};
 
 use super::accessors::Data;
@@ -18,6 +17,7 @@ use crate::import::files::Files;
 use crate::import::warnings::Warnings;
 use crate::{Material, Texture};
 
+pub(crate) use coverage::TRANSMISSION;
 pub(super) use mapping::Mapping;
 
 /// The extension by which a material shows its own colour whatever the lights are.
@@ -64,9 +64,6 @@ pub(super) fn read(
     let pictures = Pictures::read(data, wanted, files, budget, warnings);
     for (i, json) in materials.iter().enumerate() {
         let name = json.name.clone().unwrap_or_else(|| format!("material {i}"));
-        if !matches!(json.alpha_mode, Checked::Valid(AlphaMode::Opaque)) {
-            warnings.note("transparent materials are drawn as opaque", &name);
-        }
         let mut material = numbers(json, name, warnings);
         surfaces.mappings.push(maps::give(&pictures, &mut material, json, warnings));
         surfaces.materials.push(material);
@@ -83,6 +80,7 @@ fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Materi
         warnings.note("base colours that are not finite become white", &name);
         base_colour = Vec4::ONE;
     }
+    base_colour.w = share(base_colour.w);
     let of_extension = |extension: &str, member: &str, warnings: &mut Warnings| {
         let value = json.extensions.as_ref()?.others.get(extension)?.get(member)?;
         let number = number(value);
@@ -108,6 +106,8 @@ fn numbers(json: &JsonMaterial, name: String, warnings: &mut Warnings) -> Materi
         roughness: share(pbr.roughness_factor.0),
         specular: share(specular),
         emission: emission.max(Vec3::ZERO),
+        alpha: coverage::alpha(json, &name, warnings),
+        transmission: coverage::transmission(json, &name, warnings),
         unlit,
         casts: super::place::casts(&json.extras, &name, warnings).unwrap_or(true),
         base_colour,

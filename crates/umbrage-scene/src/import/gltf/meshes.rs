@@ -14,7 +14,6 @@ use gltf::json::{Accessor, Index};
 
 use super::accessors::Data;
 use super::bent::Bent;
-use super::extensions;
 use super::influences;
 use super::materials::{Mapping, Surfaces};
 use super::morphs::{self, Displaced};
@@ -36,6 +35,7 @@ pub(super) fn read(
 ) -> Result<Vec<Mesh>, Fault> {
     let mut meshes = Vec::with_capacity(data.root.meshes.len());
     for (i, json) in data.root.meshes.iter().enumerate() {
+        data.progress.step("meshes", i, data.root.meshes.len());
         let name = json.name.clone().unwrap_or_else(|| format!("mesh {i}"));
         let bent = bent.get(i).copied().unwrap_or_default();
         let (mesh, known) = (Mesh::empty(&name), HashMap::new());
@@ -124,7 +124,6 @@ impl Builder<'_> {
             self.warnings.note("primitives without positions are left out", &self.mesh.name);
             return Ok(());
         };
-        self.check_packing(primitive, positions)?;
         let (material, mapping) = surfaces.of(primitive.material);
         let looks =
             Looks { uvs: get(Semantic::TexCoords(mapping.set)), mapping, colours: get(Semantic::Colors(0)) };
@@ -137,18 +136,6 @@ impl Builder<'_> {
         let base = base as u32;
         self.mesh.add_triangles(triangles.iter().map(|t| t.map(|i| base + i)), material);
         Ok(())
-    }
-
-    /// Packed positions have no bytes of their own, and would be read as zeros.
-    fn check_packing(&self, primitive: &Primitive, positions: Index<Accessor>) -> Result<(), Fault> {
-        let others = primitive.extensions.as_ref().map(|extensions| &extensions.others);
-        let pack = extensions::PACKED.iter().find(|name| others.is_some_and(|o| o.contains_key(**name)));
-        let accessor = self.data.root.accessors.get(positions.value());
-        let has_bytes = accessor.is_some_and(|accessor| accessor.buffer_view.is_some());
-        match pack {
-            Some(name) if !has_bytes => Err(Fault(format!("triangles {}", extensions::packed(name)))),
-            Some(_) | None => Ok(()),
-        }
     }
 
     /// The vertices made of these accessors; reads them where they are new. `None` where the normals cannot be read.

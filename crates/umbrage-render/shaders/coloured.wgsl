@@ -1,4 +1,4 @@
-// The shaders of surfaces whose vertices have colours. It needs what `shade.wgsl` needs.
+// The vertex shader of receivers whose vertices have colours. It needs `receiver.wgsl`.
 
 struct ColouredReceiver {
     @builtin(position) clip: vec4f,
@@ -18,10 +18,4 @@ fn coloured_receiver(
 ) -> ColouredReceiver {
     let placed = placed_receiver(position, normal, uv, instance);
     return ColouredReceiver(placed.clip, placed.from_eye, placed.normal, placed.uv, colour);
-}
-
-@fragment
-fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
-    let facing = geometric_normal(receiver.from_eye);
-    return seen_surface(painted(base_colour(receiver) * colour.rgb, receiver, facing), receiver, facing);
 }

@@ -1,0 +1,80 @@
+//! The vertices of what joints and morph targets bend, in world space and f64.
+//!
+//! Morph targets move a vertex by their displacements times their weights; then it goes to the mean, by the vertex's weights, of
+//! where each of its joints would take it. Source: glTF 2.0, sections 3.7.2.2 and 3.7.3.3.
+//!
+//! Whoever draws this may do so in f32. That rounds the joints' matrices relative to where the skeleton stands, and sums of
+//! their products with the vertex: each term of the sum by some units in its last place, and so a vertex by no more than that
+//! share of the sum of all terms' sizes. Nothing of it grows with the skeleton's distance from the world's origin.
+
+use glam::{DMat4, DVec3};
+use umbrage_scene::{Instance, Mesh, Pose, Scene};
+
+use crate::triangles::HALF_ULP;
+
+/// How many roundings the terms of a vertex are off by: of the file's coordinate, of a matrix, of the blended matrix, and of
+/// their product and its sum.
+const ROUNDINGS: f64 = 6.0;
+
+/// A vertex in world space, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Vertex {
+    pub position: DVec3,
+    /// How far rounding may have moved it along each axis.
+    pub moved: DVec3,
+}
+
+/// The vertices of an instance in a pose; `None` where nothing bends it.
+pub(crate) fn vertices(scene: &Scene, instance: &Instance, pose: &Pose) -> Option<Vec<Vertex>> {
+    let mesh = &scene.meshes[instance.mesh];
+    let skin = instance.skin.filter(|_| !mesh.influences.is_empty());
+    let weights = instance.node.map_or(&[][..], |node| pose.weights(node));
+    if skin.is_none() && (mesh.targets.is_empty() || instance.node.is_none()) {
+        return None;
+    }
+    let place = instance.world_from_mesh_in(pose).as_dmat4();
+    let (origin, joints) = match skin.and_then(|skin| scene.rig.skins.get(skin)) {
+        // Relative to where the instance stands, so that what is rounded is small.
+        Some(skin) => {
+            let origin = place.w_axis.truncate();
+            let from_world = DMat4::from_translation(-origin);
+            let joint = |(node, bind): &(usize, glam::Mat4)| {
+                from_world * pose.world_from_node(*node) * bind.as_dmat4()
+            };
+            (origin, Some(skin.joints.iter().map(joint).collect::<Vec<DMat4>>()))
+        }
+        None => (DVec3::ZERO, None),
+    };
+    let bend = |i| {
+        let (at, size) = morphed(mesh, weights, i);
+        let matrix = match &joints {
+            Some(joints) => blended(mesh, joints, i),
+            None => place,
+        };
+        let position = origin + matrix.transform_point3(at);
+        // Instances without joints keep their translation: it is not added to anything before it is to the origin's.
+        let shift = if joints.is_some() { matrix.w_axis.truncate().abs() } else { DVec3::ZERO };
+        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.truncate().abs());
+        let terms = x * size.x + y * size.y + z * size.z + shift;
+        Vertex { position, moved: terms * (ROUNDINGS * HALF_ULP) }
+    };
+    Some((0..mesh.positions.len()).map(bend).collect())
+}
+
+/// A vertex in mesh space as morph targets move it, and the sum of the sizes of all that it is a sum of.
+fn morphed(mesh: &Mesh, weights: &[f32], vertex: usize) -> (DVec3, DVec3) {
+    let rest = mesh.positions[vertex].as_dvec3();
+    let moves = mesh.targets.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
+    moves.fold((rest, rest.abs()), |(at, size), (target, weight)| {
+        let moved = target.positions[vertex].as_dvec3() * f64::from(*weight);
+        (at + moved, size + moved.abs())
+    })
+}
+
+/// The mean of the joints of a vertex, by its weights.
+fn blended(mesh: &Mesh, joints: &[DMat4], vertex: usize) -> DMat4 {
+    let counting = mesh.influences.of(vertex).filter(|(_, weight)| *weight > 0.0);
+    counting.fold(DMat4::ZERO, |sum, (joint, weight)| {
+        sum + joints.get(joint).copied().unwrap_or(DMat4::ZERO) * f64::from(weight)
+    })
+}

@@ -1,0 +1,60 @@
+//! What a ray of the eye sees first, and what else it may see where rounding decides.
+//!
+//! The eye takes for a surface what covers at least half of its place, and looks through what covers less: so does whoever
+//! draws visibility, one answer a pixel.
+
+use crate::coverage::SEEN;
+use crate::shadow_ray::loss_of_sight;
+use crate::truth::Receiver;
+use crate::{Eye, Hit, Ray, World};
+
+/// What a ray of the eye sees.
+#[derive(Debug, Default)]
+pub(crate) struct Sight {
+    /// The first surface; `None` for sky.
+    pub receiver: Option<Receiver>,
+    /// What it sees instead, if masks before it cover a little more or less than they should; mostly nothing.
+    pub doubts: Vec<Option<Receiver>>,
+}
+
+impl Sight {
+    /// What a ray of the eye sees.
+    pub fn new(world: &World, eye: &Eye, ray: &Ray) -> Self {
+        let mut sight = Self::default();
+        let (mut from, mut is_found) = (eye.near, false);
+        while let Some(hit) = world.first_seen(ray, from, eye.far) {
+            let coverage = world.coverage(ray, hit.triangle);
+            let receiver = Some(surface(world, ray, hit));
+            if coverage.is_seen() && !is_found {
+                sight.receiver = receiver;
+                is_found = true;
+            } else {
+                sight.doubts.push(receiver);
+            }
+            if coverage.range[0] >= SEEN {
+                return sight;
+            }
+            from = hit.distance.next_up();
+        }
+        // The sky is behind them all.
+        if is_found {
+            sight.doubts.push(None);
+        }
+        sight
+    }
+}
+
+/// The first surface along a ray of the eye.
+pub(crate) fn receiver(world: &World, eye: &Eye, ray: &Ray) -> Option<Receiver> {
+    Sight::new(world, eye, ray).receiver
+}
+
+/// The surface that a ray of the eye meets.
+pub(crate) fn surface(world: &World, ray: &Ray, Hit { distance, triangle }: Hit) -> Receiver {
+    let normal = world.normal(triangle);
+    let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
+    let position = ray.at(distance);
+    let lost = loss_of_sight(world, position, distance * ray.direction.length());
+    let (lift, tilt) = (world.triangles.lift(triangle) + lost, world.triangles.tilt(triangle));
+    Receiver { position, normal, depth: distance, triangle, lift, tilt }
+}

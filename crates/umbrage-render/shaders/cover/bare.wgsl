@@ -1,0 +1,6 @@
+// The fragment shader of solid surfaces whose materials are not looked at. It needs `shown`.
+
+@fragment
+fn shade(receiver: Receiver) -> @location(0) vec4f {
+    return shown(vec3f(1.0), receiver, geometric_normal(receiver.from_eye));
+}

@@ -1,0 +1,14 @@
+// The fragment shader of surfaces that are cut out where they cover nothing. It needs `material.wgsl`, `coloured.wgsl`, `shown`,
+// and a file `edge_*.wgsl`.
+
+@fragment
+fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
+    let facing = geometric_normal(receiver.from_eye);
+    let base = cut_colour(receiver.uv) * colour;
+    let edge = edge_coverage(base.a);
+    let seen = shown(base.rgb, receiver, facing);
+    if edge <= 0.0 {
+        discard;
+    }
+    return vec4f(seen.rgb, edge);
+}

@@ -1,0 +1,8 @@
+// The fragment shader of surfaces that are blended over what lies behind them. It needs `material.wgsl`, `coloured.wgsl` and
+// `shown`.
+
+@fragment
+fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
+    let base = base_colour(receiver.uv) * colour;
+    return vec4f(shown(base.rgb, receiver, geometric_normal(receiver.from_eye)).rgb, coverage(base.a));
+}

@@ -1,0 +1,74 @@
+//! Lists of draws, one for each view of a frame, in room that is used again.
+
+use std::ops::Range;
+
+use crate::cover::Cover;
+
+/// One draw: a range of indices, for a run of instances in the list of instance numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draw {
+    /// The range of the scene's index buffer.
+    pub indices: Range<u32>,
+    /// The number that is added to every index.
+    pub base_vertex: i32,
+    /// The index of the material in the scene.
+    pub material: u32,
+    /// How much of its place the surface covers.
+    pub cover: Cover,
+    /// Whether front faces are clockwise: the instances mirror the mesh.
+    pub mirrored: bool,
+    /// The depth that veils are sorted by, metres; 0 of other draws.
+    pub depth: f32,
+    /// The range of the list of instance numbers.
+    pub instances: Range<u32>,
+}
+
+/// The draws of several views, and the instance numbers that they refer to. What is cleared keeps its room, so that lists
+/// as long as those before allocate nothing.
+#[derive(Clone, Debug, Default)]
+pub struct DrawLists {
+    pub(super) instances: Vec<u32>,
+    pub(super) draws: Vec<Draw>,
+    /// Where each view's draws end.
+    pub(super) ends: Vec<usize>,
+}
+
+impl DrawLists {
+    /// Removes all views.
+    pub fn clear(&mut self) {
+        let Self { instances, draws, ends } = self;
+        instances.clear();
+        draws.clear();
+        ends.clear();
+    }
+
+    /// Returns the numbers of instances that draws refer to, in the scene's list.
+    pub fn instances(&self) -> &[u32] {
+        &self.instances
+    }
+
+    /// Returns the draws of the view that was added as number `view`, counted from 0; none where there is no such view.
+    pub fn view(&self, view: usize) -> &[Draw] {
+        let Some(end) = self.ends.get(view) else { return &[] };
+        let start = view.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.draws[start..*end]
+    }
+
+    /// Returns how many views were added.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Says whether no view was added.
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+}
+
+impl Draw {
+    /// Returns how many triangles are drawn, all instances together.
+    pub fn triangles(&self) -> u64 {
+        u64::from(self.indices.end - self.indices.start) / 3
+            * u64::from(self.instances.end - self.instances.start)
+    }
+}
