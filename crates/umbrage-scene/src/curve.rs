@@ -54,6 +54,24 @@ impl<T: Between> Curve<T> {
         &self.keys
     }
 
+    /// Returns the same curve of other values: `value` of each key's value, and tangents as they are.
+    pub(crate) fn with_values(&self, value: impl Fn(&T) -> T) -> Self {
+        let keys = match &self.keys {
+            Keys::Step(values) => Keys::Step(values.iter().map(value).collect()),
+            Keys::Linear(values) => Keys::Linear(values.iter().map(value).collect()),
+            Keys::Cubic(keys) => {
+                let key = |[before, at, after]: &[T; 3]| [before.clone(), value(at), after.clone()];
+                Keys::Cubic(keys.iter().map(key).collect())
+            }
+        };
+        Self { times: self.times.clone(), keys }
+    }
+
+    /// Returns the property as it is at a time, for ever.
+    pub(crate) fn stopped(&self, seconds: f32) -> Self {
+        Self { times: vec![0.0], keys: Keys::Step(vec![self.at(seconds)]) }
+    }
+
     /// Returns the property at a time; before the first key it is that of the first, after the last that of the last.
     pub fn at(&self, seconds: f32) -> T {
         let after = self.times.partition_point(|time| *time <= seconds).clamp(1, self.times.len());
@@ -61,7 +79,9 @@ impl<T: Between> Curve<T> {
         let is_last = after == self.times.len();
         let after = if is_last { before } else { after };
         let span = self.times[after] - self.times[before];
-        let share = if span > 0.0 { ((seconds - self.times[before]) / span).clamp(0.0, 1.0) } else { 0.0 };
+        let share = (seconds - self.times[before]) / span;
+        // Also of no time at all.
+        let share = if span > 0.0 && share > 0.0 { share.min(1.0) } else { 0.0 };
         match &self.keys {
             Keys::Step(values) => values[before].clone(),
             Keys::Linear(values) if share == 0.0 => values[before].clone(),

@@ -50,6 +50,12 @@ pub(crate) fn of_scene(
     extras(members)
 }
 
+/// The time after which an animation begins again, seconds, in the extras of its JSON; `None` where there is none.
+pub(crate) fn seconds_of(animation: &Value) -> Option<f32> {
+    let seconds = animation.get("extras")?.get(KEY)?.get("seconds")?;
+    float(seconds).filter(|seconds| *seconds >= 0.0)
+}
+
 /// The illuminance to expose for in the extras of a scene; `None` where there is none.
 pub(crate) fn exposed_for_of(extras: &Extras) -> Result<Option<f32>, Fault> {
     let Some(lux) = value(extras, "exposed_for") else {

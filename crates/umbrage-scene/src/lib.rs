@@ -10,7 +10,9 @@
 //! are descriptions as a glTF file has them; whoever draws or traces a scene makes their own matrices from them.
 
 mod actors;
+mod baked;
 mod bounds;
+mod bytes;
 mod camera;
 mod casting;
 mod curve;
@@ -29,6 +31,7 @@ mod paint;
 mod plate;
 mod pose;
 pub mod rig;
+mod rigid;
 mod scene;
 mod shape;
 mod shining;

@@ -1,8 +1,9 @@
 //! What lights a world, as `KHR_lights_punctual` describes it.
 
-use glam::{Mat4, Vec3};
+use glam::{DMat4, Mat4, Vec3};
 
 use crate::camera::world_from_looking;
+use crate::rigid::rigid;
 use crate::{Motion, Pose};
 
 /// A light of a scene, with its place and its motion.
@@ -97,9 +98,27 @@ impl Light {
         }
     }
 
-    /// Returns where the light stands in a pose; exactly [`Self::world_from_light`] at 0 s where no rig moves it.
+    /// Returns where the light stands in a pose; exactly [`Self::world_from_light`] at 0 s where no rig moves it. It is rigid
+    /// even where the rig's nodes are scaled.
     pub fn world_from_light_in(&self, pose: &Pose) -> Mat4 {
-        self.motion.moved(self.world_from_light, pose)
+        match self.motion {
+            Motion::Node { node, node_from_thing } => {
+                let moved = pose.world_from_node(node) * node_from_thing.as_dmat4();
+                let place = DMat4::from_translation(moved.w_axis.truncate());
+                rigid(moved).unwrap_or(place).as_mat4()
+            }
+            Motion::Still | Motion::Rotation { .. } | Motion::Skin { .. } => {
+                self.motion.moved(self.world_from_light, pose)
+            }
+        }
+    }
+
+    /// Returns whether the light shines in a pose: it does not while the node that it hangs on is hidden.
+    pub fn is_visible_in(&self, pose: &Pose) -> bool {
+        match self.motion {
+            Motion::Node { node, .. } | Motion::Skin { node } => pose.is_visible(node),
+            Motion::Still | Motion::Rotation { .. } => true,
+        }
     }
 
     /// Returns the unit direction in which the light shines at time 0, in world space.

@@ -156,7 +156,7 @@ impl Mesh {
             mesh.normals.extend(normals);
             mesh.uvs.extend(uvs);
             mesh.add_colours(colours);
-            mesh.influences.add(influences, base as usize, positions.len());
+            mesh.add_influences(influences, positions.len());
             mesh.add_targets(targets, positions.len());
             mesh.add_triangles(
                 indices.as_chunks().0.iter().map(|t: &[u32; 3]| t.map(|i| base + i)),
@@ -191,9 +191,17 @@ impl Mesh {
         self.colours.extend(colours);
     }
 
-    /// Gives the vertices that were added last the shapes that they can be morphed to; where others have more, these stay.
-    /// Positions come first.
-    fn add_targets(&mut self, targets: &[MorphTarget], added: usize) {
+    /// Gives the vertices that were added last, so many, their joints. Positions come first.
+    pub(crate) fn add_influences(&mut self, influences: &Influences, added: usize) {
+        self.influences.add(influences, self.positions.len() - added, added);
+    }
+
+    /// Gives the vertices that were added last, so many, the shapes that they can be morphed to; where others have more, these
+    /// stay. Positions come first.
+    pub(crate) fn add_targets(&mut self, targets: &[MorphTarget], added: usize) {
+        if self.targets.is_empty() && targets.is_empty() {
+            return;
+        }
         let (before, vertices) = (self.positions.len() - added, self.positions.len());
         let none = MorphTarget { positions: vec![Vec3::ZERO; before], normals: vec![Vec3::ZERO; before] };
         let count = self.targets.len().max(targets.len());

@@ -47,11 +47,20 @@ impl Pose {
     /// A skinned instance stands where its first joint has its origin, and is not turned
     /// ([`Motion::Skin`](crate::Motion::Skin)), so these are fine however far the skeleton stands from the scene's origin.
     pub fn joints<'a>(&'a self, rig: &'a Rig, skin: usize) -> impl ExactSizeIterator<Item = Mat4> + 'a {
+        self.exact_joints(rig, skin).map(|joint| joint.as_mat4())
+    }
+
+    /// The same as [`Self::joints`], before they are rounded.
+    pub(crate) fn exact_joints<'a>(
+        &'a self,
+        rig: &'a Rig,
+        skin: usize,
+    ) -> impl ExactSizeIterator<Item = DMat4> + 'a {
         let joints = rig.skins.get(skin).map_or(&[][..], |skin| &skin.joints);
         let place = joints.first().map_or(DVec3::ZERO, |(node, _)| self.place(*node));
         let instance_from_world = DMat4::from_translation(-place);
         joints.iter().map(move |(node, joint_from_mesh)| {
-            (instance_from_world * self.world_from_node(*node) * joint_from_mesh.as_dmat4()).as_mat4()
+            instance_from_world * self.world_from_node(*node) * joint_from_mesh.as_dmat4()
         })
     }
 
@@ -61,51 +70,80 @@ impl Pose {
     }
 }
 
+/// A scale that is a smaller share of the largest of its node, or of this number, is kept at this share: what has shrunk to
+/// nothing keeps an inverse that f32 can hold, and is too thin to be seen.
+const LEAST_SCALE: f32 = 1e-4;
+
+/// What stands farther out than this, metres, or is stretched more, is not seen: f32 does not hold the squares.
+const FARTHEST: f64 = 1e15;
+
 impl Rig {
     /// Returns how the rig stands `seconds` after the start, as the animation that plays moves it.
     pub fn pose(&self, seconds: f32) -> Pose {
-        let mut places: Vec<Place> = self.nodes.iter().map(|node| node.rest).collect();
-        let mut visible: Vec<bool> = self.nodes.iter().map(|node| node.visible).collect();
-        let mut weights: Vec<Vec<f32>> = self.nodes.iter().map(|node| node.weights.clone()).collect();
-        if let Some(animation) = self.playing.and_then(|playing| self.animations.get(playing)) {
+        self.pose_of(self.playing, seconds)
+    }
+
+    /// Returns how the rig stands `seconds` after the start of an animation; at rest where `animation` is `None` or there is no
+    /// such animation.
+    pub fn pose_of(&self, animation: Option<usize>, seconds: f32) -> Pose {
+        let mut still = Stand {
+            places: self.nodes.iter().map(|node| node.rest).collect(),
+            visible: self.nodes.iter().map(|node| node.visible).collect(),
+            weights: self.nodes.iter().map(|node| node.weights.clone()).collect(),
+        };
+        if let Some(animation) = animation.and_then(|index| self.animations.get(index)) {
             let time = animation.local_time(seconds);
             for Channel { node, track } in &animation.channels {
-                match track {
-                    Track::Translation(curve) => move_place(&mut places[*node], curve.at(time)),
-                    Track::Rotation(curve) => {
-                        if let Place::Parts { rotation, .. } = &mut places[*node] {
-                            *rotation = curve.at(time);
-                        }
-                    }
-                    Track::Scale(curve) => {
-                        if let Place::Parts { scale, .. } = &mut places[*node] {
-                            *scale = curve.at(time);
-                        }
-                    }
-                    Track::Weights(curve) => weights[*node] = curve.at(time),
-                    Track::Visible(curve) => visible[*node] = curve.at(time),
-                }
+                still.set(*node, track, time);
             }
         }
+        let Stand { places, mut visible, weights } = still;
         let mut world_from_node: Vec<DMat4> = Vec::with_capacity(self.nodes.len());
         for (i, node) in self.nodes.iter().enumerate() {
-            let parent_from_node = places[i].matrix();
-            world_from_node.push(match node.parent {
-                Some(parent) => {
-                    visible[i] &= visible[parent];
-                    world_from_node[parent] * parent_from_node
-                }
-                None => parent_from_node,
-            });
+            let parent_from_node = thick(places[i]).matrix();
+            let parent = node.parent.filter(|parent| *parent < i);
+            let stands = parent.map_or(parent_from_node, |parent| world_from_node[parent] * parent_from_node);
+            let is_somewhere = stands.abs_diff_eq(DMat4::ZERO, FARTHEST);
+            visible[i] &= is_somewhere && parent.is_none_or(|parent| visible[parent]);
+            world_from_node.push(if is_somewhere { stands } else { DMat4::IDENTITY });
         }
         Pose { seconds, world_from_node, visible, weights }
     }
 }
 
-fn move_place(place: &mut Place, to: Vec3) {
-    if let Place::Parts { translation, .. } = place {
-        *translation = to.as_dvec3();
+/// How each node stands in its parent.
+struct Stand {
+    places: Vec<Place>,
+    visible: Vec<bool>,
+    weights: Vec<Vec<f32>>,
+}
+
+impl Stand {
+    /// Moves a property of a node to where a track has it at a time.
+    fn set(&mut self, node: usize, track: &Track, time: f32) {
+        let Some(place) = self.places.get_mut(node) else {
+            return;
+        };
+        match (track, place) {
+            (Track::Translation(curve), Place::Parts { translation, .. }) => {
+                *translation = curve.at(time).as_dvec3();
+            }
+            (Track::Rotation(curve), Place::Parts { rotation, .. }) => *rotation = curve.at(time),
+            (Track::Scale(curve), Place::Parts { scale, .. }) => *scale = curve.at(time),
+            (Track::Translation(_) | Track::Rotation(_) | Track::Scale(_), Place::Matrix(_)) => {}
+            (Track::Weights(curve), _) => self.weights[node] = curve.at(time),
+            (Track::Visible(curve), _) => self.visible[node] = curve.at(time),
+        }
     }
+}
+
+/// The place with no scale of nothing.
+fn thick(mut place: Place) -> Place {
+    if let Place::Parts { scale, .. } = &mut place {
+        let least = scale.abs().max_element().max(LEAST_SCALE) * LEAST_SCALE;
+        *scale = scale.abs().max(Vec3::splat(least)).copysign(*scale);
+    }
+    place
 }
 
 impl Scene {
@@ -162,6 +200,38 @@ mod tests {
         }
         let still = Rig { playing: None, ..rig };
         assert_eq!(still.pose(0.5).world_from_node(1).w_axis.truncate(), DVec3::X * 4.0);
+    }
+
+    #[test]
+    fn what_shrinks_to_nothing_keeps_an_inverse_and_what_flies_away_is_not_seen() {
+        let mut rig = rig();
+        for (scale, want) in
+            [(Vec3::ZERO, Vec3::splat(1e-8)), (Vec3::new(2.0, 0.0, -1e-6), Vec3::new(2.0, 2e-4, -2e-4))]
+        {
+            rig.nodes[0].rest = Place::Parts { translation: DVec3::ZERO, rotation: Quat::IDENTITY, scale };
+            let stands = rig.pose(0.0).world_from_node(0).as_mat4();
+            assert!(stands.inverse().is_finite(), "{scale}");
+            let got = Vec3::new(stands.x_axis.x, stands.y_axis.y, stands.z_axis.z);
+            assert!(got.abs_diff_eq(want, 1e-9), "{got} of {scale}");
+        }
+        for away in [DVec3::X * 1e16, DVec3::NAN] {
+            rig.nodes[1].rest = Place::Matrix(DMat4::from_translation(away));
+            let pose = rig.pose(0.0);
+            assert!(
+                pose.is_visible(0) && !pose.is_visible(1) && pose.world_from_node(1).is_finite(),
+                "{away}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_animation_is_found_by_its_name_or_by_its_number() {
+        let mut rig = rig();
+        rig.animations.push(Animation { name: "0".to_owned(), seconds: 1.0, channels: Vec::new() });
+        let found = ["Rise", "0", "1", "2", "", "none"].map(|wanted| rig.find(wanted));
+        assert_eq!(found, [Some(0), Some(1), Some(1), None, None, None]);
+        assert_eq!(rig.pose_of(None, 1.5).world_from_node(0).w_axis.y, 0.0);
+        assert_eq!(rig.pose_of(Some(0), 1.5).world_from_node(0).w_axis.y, 1.5);
     }
 
     #[test]

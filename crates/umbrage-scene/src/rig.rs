@@ -96,6 +96,26 @@ pub enum Track {
     Visible(Curve<bool>),
 }
 
+impl Track {
+    /// Returns the times of the keys, seconds.
+    pub fn times(&self) -> &[f32] {
+        match self {
+            Self::Translation(curve) | Self::Scale(curve) => curve.times(),
+            Self::Rotation(curve) => curve.times(),
+            Self::Weights(curve) => curve.times(),
+            Self::Visible(curve) => curve.times(),
+        }
+    }
+
+    /// Returns whether the track moves its node, rather than hiding what hangs on it or morphing that.
+    pub fn is_of_place(&self) -> bool {
+        match self {
+            Self::Translation(_) | Self::Rotation(_) | Self::Scale(_) => true,
+            Self::Weights(_) | Self::Visible(_) => false,
+        }
+    }
+}
+
 impl Place {
     /// The place of a node that stands in its parent's origin.
     pub const HERE: Self =
@@ -109,6 +129,17 @@ impl Place {
             }
             Self::Matrix(matrix) => matrix,
         }
+    }
+}
+
+impl Rig {
+    /// Returns the index of the animation that someone means: by its name, whatever case its letters have, or else by its
+    /// number from 0. `None` where there is no such animation.
+    pub fn find(&self, wanted: &str) -> Option<usize> {
+        let is_meant =
+            |animation: &Animation| !animation.name.is_empty() && animation.name.eq_ignore_ascii_case(wanted);
+        let number = || wanted.parse().ok().filter(|number| *number < self.animations.len());
+        self.animations.iter().position(is_meant).or_else(number)
     }
 }
 

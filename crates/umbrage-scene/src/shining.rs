@@ -22,23 +22,24 @@ pub struct Shining {
 impl Shining {
     /// Chooses at most `most` of some lights, as they are in a pose, for a picture of `camera`.
     ///
-    /// Lights that give no light are left out first: an intensity that is not above 0 or above [`Self::MAX_INTENSITY`], a
-    /// black colour, a range that is not above 0, or a place that is not finite. Where no other is given, the first of
-    /// them stands for all, with an intensity of 0.
+    /// Lights that are hidden in the pose are left out first, and lights that give no light: an intensity that is not above 0
+    /// or above [`Self::MAX_INTENSITY`], a black colour, a range that is not above 0, or a place that is not finite. Where no
+    /// other is given, the first of them stands for all, with an intensity of 0.
     pub fn choose<'a>(
         lights: impl IntoIterator<Item = &'a Light>,
         camera: &Camera,
         pose: &Pose,
         most: usize,
     ) -> Self {
-        let (mut useful, mut dark) = (Vec::new(), Vec::new());
+        let (mut useful, mut dark, mut hidden) = (Vec::new(), Vec::new(), Vec::new());
         for (place, light) in lights.into_iter().enumerate() {
             match fault(light, pose) {
-                None => useful.push((place, light)),
+                None if light.is_visible_in(pose) => useful.push((place, light)),
+                None => hidden.push(light),
                 Some(fault) => dark.push((light, fault)),
             }
         }
-        let given = useful.len() + dark.len();
+        let given = useful.len() + dark.len() + hidden.len();
         let mut warnings = Vec::new();
         if !dark.is_empty() {
             let names = dark.iter().map(|(light, fault)| format!("{:?} ({fault})", light.name));
@@ -49,7 +50,8 @@ impl Shining {
             ));
         }
         if useful.is_empty() {
-            let lights = dark.first().map(|(light, _)| unlit(light, pose)).into_iter().collect();
+            let out = hidden.first().copied().or(dark.first().map(|(light, _)| *light));
+            let lights = out.map(|light| unlit(light, pose)).into_iter().collect();
             return Self { lights, warnings };
         }
         if useful.len() > most {

@@ -333,9 +333,8 @@ fn what_is_ignored_is_said_in_one_line_a_kind() {
         doc.load().unwrap().warnings,
         [
             "extensions that are not supported are ignored: KHR_materials_sheen",
-            "animations are ignored, things stand where their nodes do: 1 in the file",
-            "skins are ignored, meshes stand as they were modelled: hero",
-            "morph targets are ignored, shapes stay at weight 0: hero",
+            "channels of animations that cannot be read are ignored: channel 0 of animation \"walk\", accessor 0 has 3 numbers a row, need 1",
+            "skins that cannot bend their mesh are ignored, it stands as it was modelled: hero, its mesh has no joints and weights",
         ]
     );
 }

@@ -9,6 +9,10 @@ pub(super) struct Budget {
     corners: usize,
     pixels: usize,
     unpacked: usize,
+    instances: usize,
+    influences: usize,
+    displacements: usize,
+    keys: usize,
     is_overdrawn: bool,
 }
 
@@ -22,6 +26,14 @@ impl Budget {
 
     /// Bytes of all that is decompressed: a gibibyte, which is as much as the vertices need.
     pub const UNPACKED: usize = 1 << 30;
+    /// Instances in all that nodes make of themselves, by `EXT_mesh_gpu_instancing`: half a gibibyte.
+    pub const INSTANCES: usize = 1 << 20;
+    /// Joints of vertices in all, those that count for nothing included: 16 million vertices with four each.
+    pub const INFLUENCES: usize = 1 << 26;
+    /// Displacements of vertices by morph targets in all: as many as vertices.
+    pub const DISPLACEMENTS: usize = 1 << 25;
+    /// Numbers in the keys of all animations, times included: a quarter of a gibibyte.
+    pub const KEYS: usize = 1 << 26;
 
     pub fn new() -> Self {
         Self {
@@ -29,6 +41,10 @@ impl Budget {
             corners: Self::CORNERS,
             pixels: Self::PIXELS,
             unpacked: Self::UNPACKED,
+            instances: Self::INSTANCES,
+            influences: Self::INFLUENCES,
+            displacements: Self::DISPLACEMENTS,
+            keys: Self::KEYS,
             is_overdrawn: false,
         }
     }
@@ -68,6 +84,26 @@ impl Budget {
     /// Takes room for a picture. One that finds none is left out alone.
     pub fn pixels(&mut self, width: u32, height: u32) -> Result<(), Fault> {
         take(&mut self.pixels, (width as usize).saturating_mul(height as usize), "pixels", Self::PIXELS)
+    }
+
+    /// Takes room for `count` instances of one node.
+    pub fn instances(&mut self, count: usize) -> Result<(), Fault> {
+        take(&mut self.instances, count, "instances of nodes", Self::INSTANCES)
+    }
+
+    /// Takes room for `count` joints of vertices. A mesh that finds none is not bent.
+    pub fn influences(&mut self, count: usize) -> Result<(), Fault> {
+        take(&mut self.influences, count, "joints of vertices", Self::INFLUENCES)
+    }
+
+    /// Takes room for the displacements of `count` vertices. A mesh that finds none is not morphed.
+    pub fn displacements(&mut self, count: usize) -> Result<(), Fault> {
+        take(&mut self.displacements, count, "displacements of vertices", Self::DISPLACEMENTS)
+    }
+
+    /// Takes room for `count` numbers of keys. A channel that finds none moves nothing.
+    pub fn keys(&mut self, count: usize) -> Result<(), Fault> {
+        take(&mut self.keys, count, "numbers in keys", Self::KEYS)
     }
 }
 

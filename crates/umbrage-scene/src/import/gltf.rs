@@ -2,28 +2,39 @@
 //! triangles can stop a scene, and everything that it points at in buffers is read with checks of our own.
 
 mod accessors;
+mod animations;
+mod bent;
 mod chunks;
+mod concerns;
+mod copies;
 mod document;
 mod extensions;
 mod images;
+mod influences;
 mod lenses;
 mod links;
 mod materials;
 mod members;
 mod meshes;
+mod morphs;
 mod nodes;
 mod packed;
 mod place;
+mod rigging;
+mod skins;
 mod stand_in;
+mod targets;
+mod tracks;
 mod transforms;
+mod visibility;
 
 use gltf::json::Root;
 
 pub(crate) use self::materials::{TRANSMISSION, UNLIT};
 
 use self::accessors::{Bytes, Data};
+use self::place::Contents;
 use super::budget::Budget;
-use super::draft::Draft;
 use super::files::Files;
 use super::progress::Progress;
 use super::recentre::Rebased;
@@ -31,6 +42,12 @@ use super::warnings::Warnings;
 use super::{recentre, settle};
 use crate::Scene;
 use crate::error::Fault;
+
+/// The extension that hides nodes.
+pub(crate) const VISIBILITY: &str = "KHR_node_visibility";
+
+/// What is said of joints that are not where they should be.
+const MISSING_JOINTS: &str = "vertices of joints that are missing follow the first joint of their skin";
 
 /// Reads a whole file, text or binary.
 pub(super) fn read(
@@ -47,7 +64,11 @@ pub(super) fn read(
     packed::unpack(&mut document, &mut buffers, &mut budget, progress, warnings);
     let data = Data { root: &document.root, buffers: &buffers, broken: &document.broken, progress };
     let mut surfaces = materials::read(&data, files, &mut budget, warnings);
-    let meshes = meshes::read(&data, &mut surfaces, &mut budget, warnings)?;
+    let animations = animations::read(&document, &data, &mut budget, warnings);
+    let skins = skins::read(&document, &data, warnings);
+    let bent = bent::of(&document, &skins, &animations);
+    let meshes = meshes::read(&data, &bent, &mut surfaces, &mut budget, warnings)?;
+    let copies = copies::read(&data, &mut budget, warnings)?;
 
     // Where the file says where its origin is, everything stays as it is.
     let given = place::origin(&document, warnings);
@@ -57,7 +78,9 @@ pub(super) fn read(
         .into_iter()
         .map(|mut mesh| {
             (mesh.triangles() > 0).then(|| {
-                rebased.push(given.map_or_else(|| recentre::rebase(&mut mesh), |_| Rebased::default()));
+                // Joints are where they are in the space that the file gives the mesh.
+                let stays = given.is_some() || !mesh.influences.is_empty();
+                rebased.push(if stays { Rebased::default() } else { recentre::rebase(&mut mesh) });
                 scene.meshes.push(mesh);
                 scene.meshes.len() - 1
             })
@@ -66,27 +89,27 @@ pub(super) fn read(
     scene.materials = surfaces.materials;
     scene.textures = surfaces.textures;
 
-    let draft = place::place(&document, &places, given.unwrap_or_default(), warnings);
-    let draft = match given {
-        Some(_) => draft,
-        None => recentred(draft, &scene, &rebased, |origin| {
-            // What there is to say of the nodes was said.
-            place::place(&document, &places, origin, &mut Warnings::default())
-        }),
+    let contents = Contents {
+        document: &document,
+        meshes: &scene.meshes,
+        places: &places,
+        copies: &copies,
+        skins: &skins,
+        animations: &animations,
     };
+    let (mut draft, mut rigging) = place::place(contents, given.unwrap_or_default(), warnings);
+    if given.is_none() {
+        let origin = recentre::origin(&draft.boxes(&scene.meshes, &rebased));
+        if origin != draft.origin {
+            drop(draft);
+            // What there is to say of the nodes was said.
+            (draft, rigging) = place::place(contents, origin, &mut Warnings::default());
+        }
+    }
+    draft.rig.animations = rigging.animations(animations);
+    draft.rig.playing = (!draft.rig.animations.is_empty()).then_some(0);
     settle::settle(draft, &rebased, &mut scene, &mut budget, warnings)?;
     Ok(scene)
-}
-
-/// The draft around an origin of its own, where it stands far from the file's.
-fn recentred(
-    draft: Draft,
-    scene: &Scene,
-    rebased: &[Rebased],
-    around: impl Fn(glam::DVec3) -> Draft,
-) -> Draft {
-    let origin = recentre::origin(&draft.boxes(&scene.meshes, rebased));
-    if origin == draft.origin { draft } else { around(origin) }
 }
 
 /// The bytes of every buffer, or why there are none. Whether they are as many as it declares matters to nobody who reads

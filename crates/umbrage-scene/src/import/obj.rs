@@ -70,9 +70,11 @@ pub(super) fn read(
         what,
         world_from_it: DMat4::IDENTITY,
         motion: Motion::Still,
-        name: String::new(),
+        hang: None,
+        skin: None,
+        name: "".into(),
         casts: None,
-        label: mesh.name.clone(),
+        label: mesh.name.as_str().into(),
     };
     let instances = scene.meshes.iter().enumerate().map(placed).collect();
     let draft = Draft { instances, origin, ..Draft::default() };

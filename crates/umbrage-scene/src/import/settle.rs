@@ -27,23 +27,25 @@ pub(super) fn settle(
     budget: &mut Budget,
     warnings: &mut Warnings,
 ) -> Result<(), Fault> {
-    let Draft { instances, cameras, lights, path, exposed_for, origin } = draft;
-    scene.origin = origin;
-    scene.path = path;
-    scene.exposed_for = exposed_for;
+    let mut draft = draft;
+    let instances = std::mem::take(&mut draft.instances);
     let mut flattened = HashMap::new();
     let mut said_to_cast = Vec::new();
     for placed in &instances {
         let rebased = &rebased[placed.what];
-        let world_from_mesh = placed.world_from_mesh(rebased);
+        let world_from_mesh = placed.world_from_mesh(rebased, &draft);
         note_coarse(placed, rebased, &world_from_mesh, scene, warnings);
-        let reach = Extent::of(scene.meshes[placed.what].bounds).transformed(&world_from_mesh).reach();
+        let reach = placed.extent(Extent::of(scene.meshes[placed.what].bounds), rebased, &draft).reach();
         if reach.is_nan() || reach > FARTHEST {
             let what = "instances that reach too far are left out";
             warnings.note(what, &format!("{} to {reach:e} m, need at most {FARTHEST:e} m", placed.label));
             continue;
         }
+        let motion = placed.moves(rebased, &draft.rig);
+        let may_be_flat = placed.hang.is_none();
         let (mesh, world_from_mesh) = match flatten::stretch(&world_from_mesh) {
+            // What shrinks to nothing may grow again.
+            _ if !may_be_flat => (placed.what, world_from_mesh),
             Stretch::Ordinary => (placed.what, world_from_mesh),
             Stretch::Flat => flat(placed.what, &world_from_mesh, &mut flattened, scene, budget)?,
             Stretch::Nothing => {
@@ -53,15 +55,17 @@ pub(super) fn settle(
         };
         said_to_cast.push(placed.casts == Some(true));
         scene.instances.push(Instance {
-            name: placed.name.clone(),
+            name: placed.name.to_string(),
             mesh,
-            world_from_mesh: world_from_mesh.as_mat4(),
-            motion: placed.motion,
+            world_from_mesh: motion.moved(world_from_mesh.as_mat4(), &draft.pose),
+            motion,
             casts: placed.casts.unwrap_or(true),
-            node: None,
-            skin: None,
+            node: placed.hang.map(|hang| hang.node),
+            skin: placed.skin,
         });
     }
+    let Draft { instances: _, cameras, lights, path, exposed_for, origin, rig, pose: at_start } = draft;
+    (scene.origin, scene.path, scene.exposed_for, scene.rig) = (origin, path, exposed_for, rig);
     domes::let_cast_nothing(scene, &said_to_cast, warnings);
     let is_near = |pose: &DMat4| pose.w_axis.truncate().abs().max_element() <= FARTHEST;
     for (camera, pose) in cameras {
@@ -73,7 +77,9 @@ pub(super) fn settle(
     }
     for (light, pose) in lights {
         if is_near(&pose) {
-            scene.lights.push(crate::Light { world_from_light: pose.as_mat4(), ..light });
+            let light = crate::Light { world_from_light: pose.as_mat4(), ..light };
+            let world_from_light = light.world_from_light_in(&at_start);
+            scene.lights.push(crate::Light { world_from_light, ..light });
         } else {
             warnings.note("lights that stand too far are left out", &far(&light.name, &pose));
         }
@@ -148,9 +154,11 @@ mod tests {
             what: 0,
             world_from_it: *world_from_it,
             motion: Motion::Still,
-            name: String::new(),
+            hang: None,
+            skin: None,
+            name: "".into(),
             casts: None,
-            label: "n".to_owned(),
+            label: "n".into(),
         };
         let draft = Draft { instances: transforms.iter().map(placed).collect(), ..Draft::default() };
         let (mut scene, mut warnings) = (scene(), Warnings::default());

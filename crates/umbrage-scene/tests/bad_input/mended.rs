@@ -155,7 +155,7 @@ pub const MENDED: &[(&str, &str, Spoil)] = &[
     }),
     ("a scene that is not there", "the default scene, of 0", |d| d.rest = r#", "scene": 4"#.to_owned()),
     ("a scene without nodes", "lists no node", |d| d.rest = r#", "scenes": [{}]"#.to_owned()),
-    ("an animation without a target", "animations are ignored", |d| {
+    ("an animation without a target", "channel 0 of animation 0, its target has no pointer", |d| {
         d.rest = r#", "animations": [{"channels": [{"target": {"path": "pointer"}}]}]"#.to_owned();
     }),
     ("an origin of the wrong type", "malformed extras", |d| {

@@ -36,6 +36,11 @@ impl Data<'_> {
         self.rows(index, |_| ()).map(|rows| rows.len())
     }
 
+    /// Returns how many rows an accessor says that it has, whether or not they exist; 0 where there is no accessor.
+    pub fn said(&self, index: Index<Accessor>) -> usize {
+        self.root.accessors.get(index.value()).map_or(0, |accessor| accessor.count.0 as usize)
+    }
+
     /// An accessor that could be read.
     fn accessor(&self, index: Index<Accessor>) -> Result<&Accessor, Fault> {
         self.readable(&self.root.accessors, index.value(), ("accessors", "accessor"))

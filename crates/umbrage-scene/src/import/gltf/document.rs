@@ -23,6 +23,8 @@ pub(super) struct Document {
     pub root: Root,
     /// Where each node stands in its parent, or why nobody knows.
     pub transforms: Vec<Result<Transform, String>>,
+    /// The animations, unread.
+    pub animations: Vec<Raw>,
     /// Why the object of this list at this index could not be read. A stand-in is in its place.
     pub broken: Broken,
 }
@@ -58,6 +60,7 @@ pub(super) fn read(text: &[u8], warnings: &mut Warnings) -> Result<Document, Fau
             samplers: reader.list(&root, "samplers", |text| deserialize::from_str(text)),
             textures: reader.list(&root, "textures", |text| deserialize::from_str(text)),
             meshes: reader.meshes(&root),
+            skins: reader.list(&root, "skins", |text| deserialize::from_str(text)),
             nodes,
             scene: root
                 .get("scene")
@@ -68,17 +71,13 @@ pub(super) fn read(text: &[u8], warnings: &mut Warnings) -> Result<Document, Fau
             ..Root::default()
         },
         transforms,
+        animations: reader.texts(&root, "animations"),
         broken: reader.broken,
     };
     let names = |member: &str| -> Vec<String> {
         root.get(member).and_then(|raw| deserialize::from_str(raw.get()).ok()).unwrap_or_default()
     };
     extensions::note(&names("extensionsUsed"), &names("extensionsRequired"), warnings);
-    let animations = members::list(&root, "animations").map_or(0, |list| list.len());
-    if animations > 0 {
-        let what = "animations are ignored, things stand where their nodes do";
-        warnings.note(what, &format!("{animations} in the file"));
-    }
     links::mend(&mut document.root, warnings);
     Ok(document)
 }

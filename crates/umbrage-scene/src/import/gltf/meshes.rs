@@ -13,18 +13,22 @@ use gltf::json::validation::Checked;
 use gltf::json::{Accessor, Index};
 
 use super::accessors::Data;
+use super::bent::Bent;
+use super::influences;
 use super::materials::{Mapping, Surfaces};
-use crate::Mesh;
+use super::morphs::{self, Displaced};
 use crate::error::Fault;
 use crate::import::budget::Budget;
 use crate::import::normals;
 use crate::import::settle::FARTHEST;
 use crate::import::warnings::Warnings;
+use crate::{Influences, Mesh};
 
 /// Reads all meshes of a file, in its order. What of a mesh cannot be read is left out with a warning: a mesh of points
 /// and lines alone has no triangles. Only more than the budget allows stops here.
 pub(super) fn read(
     data: &Data<'_>,
+    bent: &[Bent],
     surfaces: &mut Surfaces,
     budget: &mut Budget,
     warnings: &mut Warnings,
@@ -33,7 +37,10 @@ pub(super) fn read(
     for (i, json) in data.root.meshes.iter().enumerate() {
         data.progress.step("meshes", i, data.root.meshes.len());
         let name = json.name.clone().unwrap_or_else(|| format!("mesh {i}"));
-        let mut builder = Builder { mesh: Mesh::empty(&name), known: HashMap::new(), data, budget, warnings };
+        let bent = bent.get(i).copied().unwrap_or_default();
+        let (mesh, known) = (Mesh::empty(&name), HashMap::new());
+        let mut builder = Builder { mesh, bent, sets: 0, known, data, budget, warnings };
+        builder.sets = builder.most_sets(json);
         for primitive in &json.primitives {
             if let Err(Fault(fault)) = builder.add(primitive, surfaces) {
                 let lost = format!("{fault}, in mesh {name:?}");
@@ -42,9 +49,6 @@ pub(super) fn read(
                 }
                 builder.warnings.note("primitives that cannot be read are left out", &lost);
             }
-        }
-        if json.weights.iter().flatten().any(|&weight| weight != 0.0) {
-            builder.warnings.note("morph targets are ignored, shapes stay at weight 0", &name);
         }
         let mut mesh = builder.mesh;
         normals::repair(&mesh.positions, &mesh.indices, &mut mesh.normals);
@@ -56,6 +60,10 @@ pub(super) fn read(
 /// A mesh that grows by primitives.
 struct Builder<'a> {
     mesh: Mesh,
+    /// What bends the mesh, as far as there is room for it.
+    bent: Bent,
+    /// How many joints each vertex of the mesh has.
+    sets: usize,
     /// What is in the mesh of these accessors already.
     known: HashMap<Sources, Known>,
     data: &'a Data<'a>,
@@ -79,6 +87,14 @@ struct Sources {
     uvs: Option<usize>,
     colours: Option<usize>,
     picture_from_uv: Option<[u32; 6]>,
+    bending: Vec<Option<usize>>,
+}
+
+/// What bends the vertices of a primitive, before anyone knows whether they are shared.
+#[derive(Default)]
+struct Bending {
+    influences: Influences,
+    targets: Vec<Displaced>,
 }
 
 /// Vertices in a mesh: where they begin, how many they are, and which of them have no place.
@@ -111,7 +127,8 @@ impl Builder<'_> {
         let (material, mapping) = surfaces.of(primitive.material);
         let looks =
             Looks { uvs: get(Semantic::TexCoords(mapping.set)), mapping, colours: get(Semantic::Colors(0)) };
-        let known = get(Semantic::Normals).map_or(Ok(None), |n| self.shared(positions, n, looks))?;
+        let known =
+            get(Semantic::Normals).map_or(Ok(None), |n| self.shared(primitive, positions, n, looks))?;
         let (base, triangles) = match known {
             Some(Known { base, extent }) => (base, self.triangles(primitive, mode, &extent)?),
             None => self.flat(primitive, mode, positions, looks)?,
@@ -124,6 +141,7 @@ impl Builder<'_> {
     /// The vertices made of these accessors; reads them where they are new. `None` where the normals cannot be read.
     fn shared(
         &mut self,
+        primitive: &Primitive,
         positions: Index<Accessor>,
         normals: Index<Accessor>,
         Looks { uvs, mapping, colours }: Looks,
@@ -135,6 +153,7 @@ impl Builder<'_> {
             uvs: uvs.map(|uvs| uvs.value()),
             colours: colours.map(|colours| colours.value()),
             picture_from_uv: mapping.picture_from_uv.map(bits),
+            bending: self.sources_of_bending(primitive),
         };
         if let Some(known) = self.known.get(&sources) {
             return Ok(Some(known.clone()));
@@ -146,11 +165,14 @@ impl Builder<'_> {
         let (positions, extent) = self.positions(positions)?;
         let uvs = self.uvs(uvs, mapping, count);
         let colours = self.colours(colours, count);
+        let Bending { influences, targets } = self.bending(primitive, count, count);
         let known = Known { base: self.mesh.positions.len(), extent: Rc::new(extent) };
         self.mesh.positions.extend(positions);
         self.mesh.normals.extend(normals);
         self.mesh.uvs.extend(uvs);
         self.mesh.add_colours(&colours);
+        self.mesh.add_influences(&influences, count);
+        self.mesh.add_targets(&morphs::shared(targets), count);
         self.known.insert(sources, known.clone());
         Ok(Some(known))
     }
@@ -170,12 +192,62 @@ impl Builder<'_> {
         self.budget.vertices(corners.len())?;
         let uvs = self.uvs(uvs, mapping, positions.len());
         let colours = self.colours(colours, positions.len());
+        let Bending { influences, targets } = self.bending(primitive, positions.len(), corners.len());
         self.mesh.positions.extend(corners.iter().map(|&i| positions[i as usize]));
         self.mesh.uvs.extend(corners.iter().map(|&i| uvs[i as usize]));
         self.mesh.normals.resize(self.mesh.positions.len(), Vec3::ZERO);
         let colour = |&i: &u32| colours.get(i as usize).copied();
         self.mesh.add_colours(&corners.iter().filter_map(colour).collect::<Vec<_>>());
+        self.mesh.add_influences(&influences::at_corners(&influences, corners), corners.len());
+        self.mesh.add_targets(&morphs::flat(&targets, &positions, corners), corners.len());
         Ok((base, (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()))
+    }
+
+    /// How many joints a vertex has that has the most, where a skin bends the mesh.
+    fn most_sets(&self, json: &gltf::json::Mesh) -> usize {
+        let most = json.primitives.iter().map(influences::per_vertex).max().unwrap_or(0);
+        if self.bent.joints.is_some() { most } else { 0 }
+    }
+
+    /// The accessors of what bends a primitive.
+    fn sources_of_bending(&self, primitive: &Primitive) -> Vec<Option<usize>> {
+        let sets = self.bent.joints.map(|_| influences::sets(primitive)).unwrap_or_default();
+        let sets = sets.into_iter().flatten().map(|accessor| Some(accessor.value()));
+        let targets = primitive.targets.iter().flatten().take(self.bent.targets);
+        let of_target = |target: &gltf::json::mesh::MorphTarget| {
+            [target.positions, target.normals].map(|accessor| accessor.map(|accessor| accessor.value()))
+        };
+        sets.chain(targets.flat_map(of_target)).collect()
+    }
+
+    /// Reads what bends the `count` vertices of a primitive, of which `made` become vertices of the mesh. Where there is no
+    /// room for it, nothing of the kind bends the mesh.
+    fn bending(&mut self, primitive: &Primitive, count: usize, made: usize) -> Bending {
+        let Self { mesh, bent, sets, data, budget, warnings, .. } = self;
+        let mut bending = Bending::default();
+        // Vertices without joints or targets get as many as the others.
+        if let Err(Fault(why)) = budget.influences(sets.saturating_mul(made)) {
+            warnings.note(
+                "meshes whose joints find no room stand as they were modelled",
+                &format!("{why}, in mesh {:?}", mesh.name),
+            );
+            (mesh.influences, bent.joints, *sets) = (Influences::default(), None, 0);
+        }
+        if let Err(Fault(why)) = budget.displacements(bent.targets.saturating_mul(made)) {
+            warnings.note(
+                "meshes whose morph targets find no room keep their shape",
+                &format!("{why}, in mesh {:?}", mesh.name),
+            );
+            (mesh.targets, bent.targets) = (Vec::new(), 0);
+        }
+        if let Some(joints) = bent.joints.filter(|_| *sets > 0) {
+            let sets = influences::sets(primitive);
+            bending.influences = influences::read(data, &sets, (count, joints), &mesh.name, warnings);
+        }
+        if bent.targets > 0 {
+            bending.targets = morphs::read(data, primitive, count, &mesh.name, warnings);
+        }
+        bending
     }
 
     /// The corners of a primitive's triangles, each a position that is finite. The others are left out, and counted.

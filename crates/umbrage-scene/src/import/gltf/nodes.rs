@@ -9,34 +9,43 @@ use gltf::json::Root;
 use super::transforms::Transform;
 use crate::import::warnings::Warnings;
 
-/// How far from unit length and right angles, squared, the axes of a rigid transform may be to be kept as they are.
-const RIGID_TOLERANCE: f64 = 1e-3;
-
 /// The shape of the forest: the children of each node, and whether it has a parent.
 struct Forest {
     children: Vec<Vec<usize>>,
     has_parent: Vec<bool>,
 }
 
+/// A node that the scene places.
+#[derive(Clone, Debug)]
+pub(super) struct Walked {
+    /// The node's number in the file.
+    pub node: usize,
+    /// The place of its parent in the walk; `None` for an outermost node.
+    pub parent: Option<usize>,
+    /// Where the node stands while nothing moves it.
+    pub world_from_node: DMat4,
+}
+
 /// The nodes of the default scene (the first where none is the default, all where there are no scenes), parents before
-/// children and otherwise in the file's order, each with its `world_from_node`. The world's origin is at `origin` in the
-/// file: it is taken from the outermost nodes, before anything is added to them.
+/// children and otherwise in the file's order. The world's origin is at `origin` in the file: it is taken from the
+/// outermost nodes, before anything is added to them.
 pub(super) fn walk(
     root: &Root,
     transforms: &[Result<Transform, String>],
     origin: DVec3,
     warnings: &mut Warnings,
-) -> Vec<(usize, DMat4)> {
+) -> Vec<Walked> {
     let forest = Forest::new(root, warnings);
     let tops = forest.tops(root, warnings);
-    let mut placed = Vec::new();
+    let mut placed: Vec<Walked> = Vec::new();
     let mut is_placed = vec![false; root.nodes.len()];
     let top_from_file = DMat4::from_translation(-origin);
-    let mut stack: Vec<(usize, DMat4)> = tops.into_iter().rev().map(|i| (i, top_from_file)).collect();
-    while let Some((i, world_from_parent)) = stack.pop() {
+    let mut stack: Vec<(usize, Option<usize>)> = tops.into_iter().rev().map(|i| (i, None)).collect();
+    while let Some((i, parent)) = stack.pop() {
         if std::mem::replace(&mut is_placed[i], true) {
             continue;
         }
+        let world_from_parent = parent.map_or(top_from_file, |parent| placed[parent].world_from_node);
         let world_from_node = match transforms.get(i) {
             Some(Ok(transform)) => {
                 for ignored in &transform.ignored {
@@ -56,9 +65,9 @@ pub(super) fn walk(
             warnings.note(what, &format!("node {i}, numbers that are not finite"));
             continue;
         }
-        placed.push((i, world_from_node));
-        let first = stack.len();
-        stack.extend(forest.children[i].iter().map(|&child| (child, world_from_node)));
+        placed.push(Walked { node: i, parent, world_from_node });
+        let (first, own) = (stack.len(), Some(placed.len() - 1));
+        stack.extend(forest.children[i].iter().map(|&child| (child, own)));
         stack[first..].reverse();
     }
     placed
@@ -171,7 +180,7 @@ impl Forest {
 }
 
 /// One transform after the other. Where the outer one only moves, the inner one keeps its bits, signs of zeros included.
-fn then(outer: DMat4, inner: DMat4) -> DMat4 {
+pub(super) fn then(outer: DMat4, inner: DMat4) -> DMat4 {
     if DMat3::from_mat4(outer) != DMat3::IDENTITY {
         return outer * inner;
     }
@@ -183,43 +192,9 @@ fn then(outer: DMat4, inner: DMat4) -> DMat4 {
     sum
 }
 
-/// The transform without scale, skew and mirroring, for cameras and lights: −Z and the place stay what they are. One
-/// that is rigid already is kept to the bit. `None` where there is no direction left.
-pub(super) fn rigid(matrix: DMat4) -> Option<DMat4> {
-    let axes = DMat3::from_mat4(matrix);
-    let error = axes.transpose() * axes - DMat3::IDENTITY;
-    let largest = error.to_cols_array().into_iter().fold(0.0, |most: f64, e| most.max(e.abs()));
-    if largest <= RIGID_TOLERANCE && axes.determinant() > 0.0 {
-        return Some(matrix);
-    }
-    // Flattened along its own view, it still looks across what is left.
-    let z = axes.z_axis.try_normalize().or_else(|| axes.x_axis.cross(axes.y_axis).try_normalize())?;
-    let x = axes.y_axis.cross(z).try_normalize().unwrap_or_else(|| z.any_orthonormal_vector());
-    let y = z.cross(x);
-    Some(DMat4::from_cols(x.extend(0.0), y.extend(0.0), z.extend(0.0), matrix.w_axis))
-}
-
 #[cfg(test)]
 mod tests {
-    use glam::DQuat;
-
     use super::*;
-
-    #[test]
-    fn a_scaled_and_mirrored_camera_keeps_its_place_and_view() {
-        let turned = DMat4::from_rotation_translation(DQuat::from_rotation_y(1.0), DVec3::new(1.0, 2.0, 3.0));
-        let pose = rigid(turned * DMat4::from_scale(DVec3::new(-2.0, 3.0, 0.5))).unwrap();
-        assert!(pose.abs_diff_eq(turned, 1e-9), "{pose} against {turned}");
-        assert_eq!(rigid(turned), Some(turned));
-        assert_eq!(rigid(DMat4::from_scale(DVec3::ZERO)), None);
-    }
-
-    #[test]
-    fn a_camera_flattened_along_its_view_still_looks_that_way() {
-        let turned = DMat4::from_rotation_y(1.0);
-        let pose = rigid(turned * DMat4::from_scale(DVec3::new(2.0, 3.0, 0.0))).unwrap();
-        assert!(pose.abs_diff_eq(turned, 1e-9), "{pose} against {turned}");
-    }
 
     #[test]
     fn what_only_moves_keeps_bits() {

@@ -1,45 +1,93 @@
 //! What hangs on the nodes, put into a scene whose origin is given.
+//!
+//! Meshes and lights below nodes of the rig move with them. Cameras stay where they are at the start of the first animation:
+//! pictures are compared from places that stay.
+
+use std::rc::Rc;
 
 use glam::{DMat4, DVec3};
 use gltf::json::{Extras, Node};
 
+use super::concerns::{self, UsedSkins};
+use super::copies::Copies;
 use super::document::Document;
-use super::{lenses, nodes};
-use crate::import::draft::{Draft, Placed};
+use super::nodes::Walked;
+use super::rigging::Rigging;
+use super::skins::Skin;
+use super::{lenses, nodes, visibility};
+use crate::import::draft::{Draft, Hang, Placed};
 use crate::import::warnings::Warnings;
-use crate::{CameraPath, Light, Motion, extras};
+use crate::rig::{Animation, Rig};
+use crate::rigid::rigid;
+use crate::{CameraPath, Light, Mesh, Motion, extras};
 
-/// Everything that nodes place, with its transforms in f64. `places` says where each mesh of the file is in the scene, if
-/// it has triangles.
-pub(super) fn place(
-    document: &Document,
-    places: &[Option<usize>],
-    origin: DVec3,
-    warnings: &mut Warnings,
-) -> Draft {
-    let mut draft = Draft { origin, ..Draft::default() };
-    for (index, world_from_node) in nodes::walk(&document.root, &document.transforms, origin, warnings) {
-        let node = &document.root.nodes[index];
-        let label = node.name.clone().unwrap_or_else(|| format!("node {index}"));
-        let motion = motion(node, &label, origin, warnings);
-        note_hidden(node, &label, warnings);
-        if let Some(mesh) = node.mesh.and_then(|mesh| places.get(mesh.value()).copied().flatten()) {
-            draft.instances.push(Placed {
-                what: mesh,
-                world_from_it: world_from_node,
-                motion,
-                name: node.name.clone().unwrap_or_default(),
-                casts: casts(&node.extras, &label, warnings),
-                label: label.clone(),
-            });
-            note_lost(document, node, &label, warnings);
+/// What of a file its nodes place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contents<'a> {
+    pub document: &'a Document,
+    /// The meshes of the scene.
+    pub meshes: &'a [Mesh],
+    /// Which of them each mesh of the file is, if it has triangles.
+    pub places: &'a [Option<usize>],
+    pub copies: &'a Copies,
+    pub skins: &'a [Result<Skin, String>],
+    /// The animations, of nodes of the file.
+    pub animations: &'a [Animation],
+}
+
+impl Contents<'_> {
+    /// The mesh of the scene that hangs on a node.
+    pub fn mesh(&self, node: &Node) -> Option<usize> {
+        node.mesh.and_then(|mesh| self.places.get(mesh.value()).copied().flatten())
+    }
+}
+
+/// Everything that nodes place, with its transforms in f64, and the rig that moves it.
+pub(super) fn place(contents: Contents<'_>, origin: DVec3, warnings: &mut Warnings) -> (Draft, Rigging) {
+    let Contents { document, animations, .. } = contents;
+    let walk = nodes::walk(&document.root, &document.transforms, origin, warnings);
+    let used = UsedSkins::of(&contents, &walk, warnings);
+    let concerns = concerns::of(&contents, &used);
+    let rigging = Rigging::of(document, &walk, &concerns, origin, warnings);
+    let ever = visibility::ever(&document.root.nodes, &walk, animations);
+    let rig = Rig {
+        nodes: rigging.nodes.clone(),
+        skins: used.in_rig(&rigging.in_rig),
+        animations: rigging.first_moment(animations).into_iter().collect(),
+        playing: Some(0),
+    };
+    let pose = rig.pose(0.0);
+    let mut draft = Draft { origin, rig, pose, ..Draft::default() };
+    for (i, walked) in walk.iter().enumerate() {
+        let hang = rigging.hangs[i];
+        let node = &document.root.nodes[walked.node];
+        let on = On {
+            node,
+            label: node.name.clone().unwrap_or_else(|| format!("node {}", walked.node)),
+            world_from_node: hang.map_or(walked.world_from_node, |hang| hang.in_pose(&draft.pose)),
+            hang,
+        };
+        hang_camera(document, &on, &mut draft, warnings);
+        if ever[i] {
+            hang_mesh(&contents, (walked, &used), &on, &mut draft, warnings);
+            hang_light(document, &on, &mut draft, warnings);
         }
-        hang_camera(document, node, (&label, world_from_node), &mut draft, warnings);
-        hang_light(document, node, (&label, world_from_node, motion), &mut draft, warnings);
+    }
+    if draft.instances.is_empty() && ever.contains(&false) {
+        warnings.note("hidden nodes hide what the scene has", "KHR_node_visibility");
     }
     draft.path = camera_path(document, origin, warnings);
     draft.exposed_for = exposed_for(document, warnings);
-    draft
+    (draft, rigging)
+}
+
+/// A node that things hang on.
+struct On<'a> {
+    node: &'a Node,
+    label: String,
+    /// Where the node stands at 0 s.
+    world_from_node: DMat4,
+    hang: Option<Hang>,
 }
 
 /// The origin that [`crate::to_glb`] wrote, if there is one.
@@ -55,55 +103,59 @@ fn scene(document: &Document) -> Option<&gltf::json::Scene> {
     document.root.scenes.get(document.root.scene.map_or(0, |scene| scene.value()))
 }
 
-/// What of a node with a mesh is not drawn as the file wants it.
-fn note_lost(document: &Document, node: &Node, label: &str, warnings: &mut Warnings) {
-    if node.skin.is_some() {
-        warnings.note("skins are ignored, meshes stand as they were modelled", label);
-    }
-    if node.weights.iter().flatten().any(|&weight| weight != 0.0) {
-        warnings.note("morph targets are ignored, shapes stay at weight 0", label);
-    }
-    let others = node.extensions.as_ref().map(|extensions| &extensions.others);
-    let copies =
-        others.and_then(|others| others.get("EXT_mesh_gpu_instancing")?.get("attributes")?.as_object());
-    if let Some(attributes) = copies {
-        let count = |accessor: u64| {
-            let accessor = document.root.accessors.get(usize::try_from(accessor).ok()?)?;
-            Some(accessor.count.0)
-        };
-        let count = attributes.values().filter_map(|index| count(index.as_u64()?)).max().unwrap_or_default();
-        let missing = count.saturating_sub(1);
-        let subject = format!("{missing} of {count} copies are missing of {label}");
-        warnings.note("EXT_mesh_gpu_instancing is not supported", &subject);
-    }
-}
-
-/// A hidden node hides what hangs on it, too.
-fn note_hidden(node: &Node, label: &str, warnings: &mut Warnings) {
-    let others = node.extensions.as_ref().map(|extensions| &extensions.others);
-    let visibility = others.and_then(|others| others.get("KHR_node_visibility"));
-    if visibility.and_then(|v| v.get("visible")?.as_bool()) == Some(false) {
-        warnings.note("hidden nodes are drawn, with all that hangs on them", label);
-    }
-}
-
-fn hang_camera(
-    document: &Document,
-    node: &Node,
-    (label, world_from_node): (&str, DMat4),
+/// Places the mesh of a node, as often as the node says.
+fn hang_mesh(
+    contents: &Contents<'_>,
+    (walked, used): (&Walked, &UsedSkins<'_>),
+    on: &On<'_>,
     draft: &mut Draft,
     warnings: &mut Warnings,
 ) {
+    let Some(mesh) = contents.mesh(on.node) else {
+        return;
+    };
+    let one = Placed {
+        what: mesh,
+        world_from_it: on.world_from_node,
+        motion: motion(on.node, &on.label, draft.origin, warnings),
+        hang: on.hang,
+        skin: used.of_node(walked.node),
+        name: on.node.name.as_deref().unwrap_or_default().into(),
+        casts: casts(&on.node.extras, &on.label, warnings),
+        label: Rc::from(on.label.as_str()),
+    };
+    let Some(copies) = contents.copies.get(&walked.node) else {
+        draft.instances.push(one);
+        return;
+    };
+    if one.skin.is_some() {
+        warnings.note("instances of nodes with skins are drawn once, where their joints are", &on.label);
+        draft.instances.push(one);
+        return;
+    }
+    draft.instances.extend(copies.iter().map(|copy| {
+        let node_from_copy = copy.node_from_copy();
+        let hang = one.hang.map(|hang| Hang { node_from_it: hang.node_from_it * node_from_copy, ..hang });
+        Placed { world_from_it: one.world_from_it * node_from_copy, hang, ..one.clone() }
+    }));
+}
+
+fn hang_camera(document: &Document, on: &On<'_>, draft: &mut Draft, warnings: &mut Warnings) {
+    let On { node, label, world_from_node, hang } = on;
     let Some(index) = node.camera else {
         return;
     };
+    if hang.is_some_and(|hang| hang.moves) {
+        let what = "cameras stay where they are at the start of the first animation";
+        warnings.note(what, label);
+    }
     let left_out = |why: &str, warnings: &mut Warnings| {
         warnings.note("cameras that cannot be looked through are left out", &format!("{label}, {why}"));
     };
     if let Some(why) = document.broken.get(&("cameras", index.value())) {
         return left_out(why, warnings);
     }
-    let Some(pose) = nodes::rigid(world_from_node) else {
+    let Some(pose) = rigid(*world_from_node) else {
         return left_out("it is scaled to nothing", warnings);
     };
     match lenses::camera(&document.root, index, node) {
@@ -112,13 +164,8 @@ fn hang_camera(
     }
 }
 
-fn hang_light(
-    document: &Document,
-    node: &Node,
-    (label, world_from_node, motion): (&str, DMat4, Motion),
-    draft: &mut Draft,
-    warnings: &mut Warnings,
-) {
+fn hang_light(document: &Document, on: &On<'_>, draft: &mut Draft, warnings: &mut Warnings) {
+    let On { node, label, world_from_node, hang } = on;
     let Some(khr) = node.extensions.as_ref().and_then(|e| e.khr_lights_punctual.as_ref()) else {
         return;
     };
@@ -132,12 +179,16 @@ fn hang_light(
         Ok(light) => light,
         Err(fault) => return left_out(&fault.0, warnings),
     };
-    let is_point = matches!(light.kind, crate::LightKind::Point { .. });
-    // What shines in all directions needs none.
-    let place = || is_point.then(|| DMat4::from_translation(world_from_node.w_axis.truncate()));
-    match nodes::rigid(world_from_node).or_else(place) {
+    // What shines in all directions needs none, and what moves may yet get one.
+    let needs_none = matches!(light.kind, crate::LightKind::Point { .. }) || hang.is_some();
+    let place = || needs_none.then(|| DMat4::from_translation(world_from_node.w_axis.truncate()));
+    match rigid(*world_from_node).or_else(place) {
         Some(pose) => {
             let near = near(node, &light.name, warnings);
+            let motion = match hang {
+                Some(hang) => hang.motion(),
+                None => motion(node, label, draft.origin, warnings),
+            };
             draft.lights.push((Light { motion, near, ..light }, pose));
         }
         None => left_out("it is scaled to nothing", warnings),

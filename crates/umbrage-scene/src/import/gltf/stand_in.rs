@@ -5,7 +5,7 @@ use gltf::json::extensions::scene::khr_lights_punctual::Light;
 use gltf::json::texture::Sampler;
 use gltf::json::validation::{Checked, USize64};
 use gltf::json::{
-    Accessor, Buffer, Camera, Image, Index, Material, Mesh, Node, Scene, Texture, buffer::View,
+    Accessor, Buffer, Camera, Image, Index, Material, Mesh, Node, Scene, Skin, Texture, buffer::View,
 };
 
 /// An index that leads nowhere.
@@ -98,6 +98,19 @@ impl StandIn for Mesh {
 impl StandIn for Scene {
     fn stand_in() -> Self {
         Self { extensions: None, extras: None, name: None, nodes: Vec::new() }
+    }
+}
+
+impl StandIn for Skin {
+    fn stand_in() -> Self {
+        Self {
+            name: None,
+            joints: Vec::new(),
+            skeleton: None,
+            inverse_bind_matrices: None,
+            extensions: None,
+            extras: None,
+        }
     }
 }
 

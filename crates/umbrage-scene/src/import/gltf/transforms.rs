@@ -7,6 +7,7 @@ use glam::{DMat4, DQuat, DVec3};
 use gltf::json::deserialize;
 
 use super::members::{Members, Raw, plain};
+use crate::rig::Place;
 
 /// A rotation shorter than this has no direction.
 const MIN_QUATERNION: f64 = 1e-6;
@@ -15,6 +16,8 @@ const MIN_QUATERNION: f64 = 1e-6;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Transform {
     pub parent_from_node: DMat4,
+    /// The same in the parts that the file gives.
+    pub place: Place,
     /// One sentence for each member that was ignored.
     pub ignored: Vec<String>,
 }
@@ -26,18 +29,24 @@ pub(super) fn take(members: &mut Members) -> Result<Transform, String> {
     let [translation, rotation, scale] =
         ["translation", "rotation", "scale"].map(|name| members.remove(name));
     let mut ignored = Vec::new();
-    let parent_from_node = match matrix {
-        Some(raw) => affine(numbers::<16>("matrix", &raw)?, &mut ignored),
+    let (parent_from_node, place) = match matrix {
+        Some(raw) => {
+            let matrix = affine(numbers::<16>("matrix", &raw)?, &mut ignored);
+            (matrix, Place::Matrix(matrix))
+        }
         None => {
             let [x, y, z, w] = rotation.map_or(Ok([0.0, 0.0, 0.0, 1.0]), |raw| numbers("rotation", &raw))?;
             let scale = scale.map_or(Ok([1.0; 3]), |raw| numbers("scale", &raw))?;
             let translation = translation.map_or(Ok([0.0; 3]), |raw| numbers("translation", &raw))?;
             let rotation = unit(DQuat::from_xyzw(x, y, z, w), &mut ignored);
-            DMat4::from_scale_rotation_translation(DVec3::from(scale), rotation, DVec3::from(translation))
+            let (scale, translation) = (DVec3::from(scale), DVec3::from(translation));
+            let matrix = DMat4::from_scale_rotation_translation(scale, rotation, translation);
+            let (rotation, scale) = (rotation.as_quat(), scale.as_vec3());
+            (matrix, Place::Parts { translation, rotation, scale })
         }
     };
     if parent_from_node.is_finite() {
-        Ok(Transform { parent_from_node, ignored })
+        Ok(Transform { parent_from_node, place, ignored })
     } else {
         Err("numbers that are not finite".to_owned())
     }
