@@ -81,14 +81,9 @@ impl Card {
         let rgba = (0..256).flat_map(|i| [255, 255, 255, alpha(i)]).collect();
         let camera = Camera {
             lens: Lens::Orthographic { half_height: HALF_HEIGHT },
-            ..Camera::looking(
-                "above",
-                Vec3::new(MIDDLE, 9.0, 0.001),
-                Vec3::new(MIDDLE, 0.0, 0.0),
-                1.0,
-                0.5,
-                20.0,
-            )
+            world_from_camera: Mat4::from_translation(Vec3::new(MIDDLE, 9.0, 0.0))
+                * Mat4::from_rotation_x(-std::f32::consts::FRAC_PI_2),
+            ..Camera::looking("above", Vec3::Y, Vec3::ZERO, 1.0, 0.5, 20.0)
         };
         let ground = Instance::still(0, Mat4::IDENTITY);
         Scene {
