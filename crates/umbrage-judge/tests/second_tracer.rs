@@ -63,7 +63,7 @@ fn some_card(dice: &mut Dice, number: usize) -> (Primitive, Material, Mat4) {
     }
     let mirror = Vec3::new(if dice.roll() < 0.3 { -1.0 } else { 1.0 }, 1.0, 1.0);
     let turn = Quat::from_axis_angle(dice.vector().normalize_or(Vec3::Y), dice.between(0.0, 6.0));
-    let stacked = number % 2 == 0;
+    let stacked = number.is_multiple_of(2);
     let turn = if stacked { Quat::from_rotation_y(dice.roll()) } else { turn };
     let at = if stacked { Vec3::new(0.0, 1.0 + 0.3 * number as f32, 0.0) } else { dice.vector() * 5.0 };
     let at = at + Vec3::Y * if stacked { 0.0 } else { 5.5 };

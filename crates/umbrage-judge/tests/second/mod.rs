@@ -132,7 +132,7 @@ impl<'a> SecondTracer<'a> {
             distance,
             coverage: self.coverage(triangle, of_b, of_c),
             surface: (triangle.instance, triangle.material),
-            normal: ab.cross(ac).normalize(),
+            normal: ab.cross(ac).normalize_or_zero(),
             casts: triangle.casts,
         })
     }
