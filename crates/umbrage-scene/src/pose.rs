@@ -126,7 +126,7 @@ impl Stand {
         };
         match (track, place) {
             (Track::Translation(curve), Place::Parts { translation, .. }) => {
-                *translation = curve.at(time).as_dvec3();
+                *translation = curve.at_as(time, |at| at.as_dvec3());
             }
             (Track::Rotation(curve), Place::Parts { rotation, .. }) => *rotation = curve.at(time),
             (Track::Scale(curve), Place::Parts { scale, .. }) => *scale = curve.at(time),
