@@ -4,7 +4,7 @@ use std::io::{Error, ErrorKind, Write as _};
 use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
-use umbrage_scene::{Imported, Scene, worlds};
+use umbrage_scene::{Imported, Scene, Step, worlds};
 
 use crate::LabError;
 
@@ -64,6 +64,14 @@ fn temporary(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
 /// # Errors
 /// When there is no such world, or its file cannot be read.
 pub fn load_world(name: &str, seed: u64) -> Result<Imported, LabError> {
+    load_world_telling(name, seed, &|_| ())
+}
+
+/// Loads a world as [`load_world`] does, and tells how far the reading of a file is.
+///
+/// # Errors
+/// As [`load_world`].
+pub fn load_world_telling(name: &str, seed: u64, tell: &dyn Fn(Step)) -> Result<Imported, LabError> {
     if let Some(scene) = worlds::build(name, seed) {
         return Ok(Imported { scene, warnings: Vec::new() });
     }
@@ -71,7 +79,7 @@ pub fn load_world(name: &str, seed: u64) -> Result<Imported, LabError> {
     if path.extension().is_none() && !path.exists() {
         return Err(LabError::World { name: name.to_owned() });
     }
-    Ok(umbrage_scene::load(path)?)
+    Ok(umbrage_scene::load_telling(path, tell)?)
 }
 
 /// Computes the SHA-256 of some bytes, in hexadecimal.

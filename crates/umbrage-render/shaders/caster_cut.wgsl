@@ -18,7 +18,7 @@ fn cut_caster(
     @location(4) colour: vec4f,
     @builtin(vertex_index) vertex: u32,
 ) -> CutCaster {
-    return CutCaster(caster(position, instance), uv, colour.a, vertex ^ (instance * 2654435761u));
+    return CutCaster(caster_position(position, instance), uv, colour.a, vertex ^ (instance * 2654435761u));
 }
 
 /// Where a mask leaves its place open, nothing is drawn.

@@ -121,6 +121,9 @@ impl Deformation {
                 encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes });
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &self.group, &[]);
+            // Mesa's software drivers note the pass's start when something is waited for, as between two dispatches that
+            // write the same: without this one, of nothing, the other would be over by then.
+            pass.dispatch_workgroups(0, 1, 1);
             let [across, down] = self.workgroups;
             pass.dispatch_workgroups(across, down, 1);
         });

@@ -129,7 +129,8 @@ impl PassTimer {
         let results = self.profiler.as_mut()?.process_finished_frame(period)?;
         let total = |label: &str| -> f64 {
             let spans = results.iter().filter(|result| result.label == label);
-            spans.filter_map(milliseconds).sum()
+            // A sum of nothing is -0.
+            0.0 + spans.filter_map(milliseconds).sum::<f64>()
         };
         Some([DEFORM, CASTERS, FILTER, SHADE].map(total))
     }

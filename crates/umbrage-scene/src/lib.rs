@@ -12,6 +12,7 @@
 mod actors;
 mod baked;
 mod bounds;
+mod bytes;
 mod camera;
 mod casting;
 mod curve;

@@ -7,6 +7,7 @@
 //! Most have a sun of 3 lux. Some have spot or point lights instead, which may move. Their candela are chosen for the same
 //! eye: candela / distance² is 1 to 3 lux at the places that matter. How bright that looks is for whoever draws them to say.
 
+mod atrium;
 mod bias_court;
 mod brick_ground;
 mod canvas;
@@ -26,6 +27,7 @@ mod scanned;
 mod stage;
 mod survey;
 mod tutorial_room;
+mod village_fair;
 
 #[cfg(test)]
 mod tests;
@@ -148,6 +150,18 @@ pub const ALL: &[World] = &[
         source: "made for surfaces with holes",
         summary: "a glade in a wood of leaves cut out of pictures, a chain-link fence and tall grass in the wind, 350 K triangles",
         build: grove::build,
+    },
+    World {
+        name: "village-fair",
+        source: "made for crowds",
+        summary: "a hundred people with bones, flags, a carousel and stalls of cloth under fifteen lamps at sunset, 230 K triangles",
+        build: village_fair::build,
+    },
+    World {
+        name: "atrium",
+        source: "made for glass and cloth",
+        summary: "a court of columns and arcades under a glass roof, with hangings, palms and ten lamps, 100 K triangles",
+        build: atrium::build,
     },
 ];
 

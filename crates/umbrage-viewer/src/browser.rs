@@ -1,6 +1,7 @@
 //! What a page asks of its browser: time, downloads, events, and a worker.
 
-pub mod worker;
+pub mod jobs;
+mod worker;
 
 use eframe::wasm_bindgen::JsCast as _;
 use wasm_bindgen::JsValue;

@@ -19,7 +19,7 @@ impl BvhBuild {
             #[cfg(target_arch = "wasm32")]
             {
                 crate::browser::next_moment().await;
-                crate::browser::worker::build_bvh_beside(triangles).await
+                crate::browser::jobs::build_bvh_beside(triangles).await
             }
             #[cfg(not(target_arch = "wasm32"))]
             Ok(World::build(triangles()))

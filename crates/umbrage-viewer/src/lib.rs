@@ -28,6 +28,7 @@ mod export;
 mod files;
 mod input;
 mod messages;
+mod said;
 mod session;
 mod sky;
 mod task;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use umbrage_scene::Imported;
+use umbrage_scene::{Imported, Step};
 
 /// The largest file that is read as a whole, bytes: a page has 4 GiB in all, and a scene needs several times its file.
 const MAX_BYTES: u64 = 512 << 20;
@@ -33,23 +33,29 @@ impl Source {
         }
     }
 
-    /// Reads or generates the world.
+    /// Reads or generates the world, and tells how far it is.
     ///
     /// # Errors
     /// In one line: when there is no such world, or the file holds none.
-    pub fn load(&self) -> Result<Imported, String> {
+    pub fn load(&self, tell: &dyn Fn(Step)) -> Result<Imported, String> {
         match self {
-            Self::Named(name) => umbrage_lab::files::load_world(name, 0).map_err(|why| why.to_string()),
-            Self::Bytes { name, bytes } => of_bytes(name, bytes),
+            Self::Named(name) => {
+                umbrage_lab::files::load_world_telling(name, 0, tell).map_err(|why| why.to_string())
+            }
+            Self::Bytes { name, bytes } => of_bytes(name, bytes, tell),
         }
     }
 }
 
-fn of_bytes(name: &str, bytes: &[u8]) -> Result<Imported, String> {
+/// Reads the world of a file's bytes, and tells how far it is.
+///
+/// # Errors
+/// In one line: when they hold none.
+pub fn of_bytes(name: &str, bytes: &[u8], tell: &dyn Fn(Step)) -> Result<Imported, String> {
     let path = Path::new(name);
     let stem = path.file_stem().map_or_else(|| name.to_owned(), |stem| stem.to_string_lossy().into_owned());
     let imported = match extension(path).as_str() {
-        "glb" | "gltf" => umbrage_scene::load_glb_bytes(bytes, &stem),
+        "glb" | "gltf" => umbrage_scene::load_glb_bytes_telling(bytes, &stem, tell),
         "obj" => umbrage_scene::load_obj_bytes(bytes, &stem),
         _ => return Err(format!("a world is a .glb, .gltf or .obj; got {name}")),
     };
@@ -99,13 +105,13 @@ mod tests {
 
     #[test]
     fn built_in_worlds_and_bytes_are_loaded_and_anything_else_is_refused_in_a_line() {
-        let world = Source::Named("primitives".to_owned()).load().expect("a built-in world");
+        let world = Source::Named("primitives".to_owned()).load(&|_| ()).expect("a built-in world");
         let bytes = umbrage_scene::to_glb(&world.scene).expect("a file");
-        let read = Source::Bytes { name: "a.GLB".to_owned(), bytes }.load().expect("the same world");
+        let read = Source::Bytes { name: "a.GLB".to_owned(), bytes }.load(&|_| ()).expect("the same world");
         assert_eq!(read.scene.triangles(), world.scene.triangles());
         for (name, bytes) in [("a.glb", &b"glTF"[..]), ("a.obj", b""), ("a.png", b"x"), ("noextension", b"")]
         {
-            let refused = Source::Bytes { name: name.to_owned(), bytes: bytes.to_vec() }.load();
+            let refused = Source::Bytes { name: name.to_owned(), bytes: bytes.to_vec() }.load(&|_| ());
             let text = refused.err().unwrap_or_else(|| panic!("{name} is no world"));
             assert!(!text.contains('\n') && !text.is_empty(), "{text}");
         }
@@ -113,9 +119,9 @@ mod tests {
             "bufferViews":[{"buffer":0,"byteLength":36}],
             "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}],
             "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0}"#;
-        let alone = Source::Bytes { name: "a.gltf".to_owned(), bytes: gltf.into() }.load();
+        let alone = Source::Bytes { name: "a.gltf".to_owned(), bytes: gltf.into() }.load(&|_| ());
         let text = alone.expect_err("its buffer is not there");
         assert!(text.contains("beside.bin") && text.contains("one .glb"), "{text}");
-        assert!(Source::Named("nowhere".to_owned()).load().is_err());
+        assert!(Source::Named("nowhere".to_owned()).load(&|_| ()).is_err());
     }
 }

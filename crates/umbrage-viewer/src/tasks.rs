@@ -6,6 +6,7 @@ use umbrage_scene::Imported;
 
 use crate::event::Event;
 use crate::load::Source;
+use crate::said::Said;
 use crate::task::Task;
 
 /// A file that was chosen or dropped: a world that is named by its path, or the bytes of a file.
@@ -15,6 +16,8 @@ pub type Opening = Task<Result<Option<Source>, String>>;
 #[derive(Debug, Default)]
 pub struct Tasks {
     loading: Option<Task<(Source, Result<Imported, String>)>>,
+    /// How far the loading is.
+    said: Said,
     /// A file that is chosen in a dialog, or read.
     pub opening: Option<Opening>,
     /// A picture that will be saved.
@@ -25,11 +28,12 @@ impl Tasks {
     /// Starts to load a world.
     pub fn load(&mut self, context: &egui::Context, source: Source) {
         let what = format!("loading {}", source.name());
-        let work = move || {
-            let loaded = source.load();
+        self.said = Said::default();
+        let said = self.said.clone();
+        self.loading = Some(Task::wait_for(what, context, async move {
+            let loaded = load(&source, &said).await;
             (source, loaded)
-        };
-        self.loading = Some(Task::run(what, context, work));
+        }));
     }
 
     /// Returns whether a world is being loaded.
@@ -37,9 +41,11 @@ impl Tasks {
         self.loading.is_some()
     }
 
-    /// Returns what is being loaded, in words for people.
-    pub fn loading(&self) -> Option<&str> {
-        self.loading.as_ref().map(|task| task.what.as_str())
+    /// Returns what is being loaded and how far it is, in words for people.
+    pub fn loading(&self) -> Option<String> {
+        let what = &self.loading.as_ref()?.what;
+        let said = self.said.last();
+        Some(if said.is_empty() { what.clone() } else { format!("{what}: {said}") })
     }
 
     /// Returns whether the window must repaint until something is done, since nothing else wakes it.
@@ -70,4 +76,16 @@ impl Tasks {
         }
         events
     }
+}
+
+/// Loads a world on the thread that waits for it; in a page it reads files in a worker.
+async fn load(source: &Source, said: &Said) -> Result<Imported, String> {
+    #[cfg(target_arch = "wasm32")]
+    {
+        crate::browser::next_moment().await;
+        if let Source::Bytes { name, bytes } = source {
+            return crate::browser::jobs::read_world_beside(name, bytes, said).await;
+        }
+    }
+    source.load(&|step| said.say(step.to_string()))
 }

@@ -208,7 +208,8 @@ impl Viewer {
         let is_lost = self.lost().is_some();
         let (rect, mut actions) = panels::picture::show(ui, self.session.as_mut(), is_lost);
         let waits_for = self.session.as_ref().and_then(|session| session.waits_for());
-        let under_way: Vec<&str> = [self.tasks.loading(), waits_for].into_iter().flatten().collect();
+        let loading = self.tasks.loading();
+        let under_way: Vec<&str> = [loading.as_deref(), waits_for].into_iter().flatten().collect();
         actions.extend(panels::messages::show(ui, rect, &under_way, self.messages.all()));
         self.act(ui.ctx(), actions);
     }

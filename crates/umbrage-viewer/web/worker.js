@@ -1,13 +1,14 @@
-// Builds a BVH beside the page: `src/browser/worker.rs` is the other end. Answers with bytes, or with a message if it fails.
+// Works beside the page: `src/browser/worker.rs` is the other end. Posts steps on the way, and then bytes, or words if it
+// fails.
 
-import start, { build_bvh } from "./umbrage-web.js";
+import start, * as program from "./umbrage-web.js";
 
-onmessage = async ({ data: { module, triangles } }) => {
+onmessage = async ({ data: { module, job, name, bytes } }) => {
   try {
     await start({ module_or_path: module });
-    const bvh = build_bvh(triangles);
-    postMessage(bvh, [bvh.buffer]);
+    const answer = program[job](name, bytes, (step) => postMessage({ step }));
+    postMessage({ answer }, [answer.buffer]);
   } catch (error) {
-    postMessage(`${error}`);
+    postMessage({ answer: `${error}` });
   }
 };

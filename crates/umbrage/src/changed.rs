@@ -6,8 +6,8 @@ pub struct Changed {
     /// The maps are new: nothing is drawn in them, and views and groups of before no longer belong to them. Draw all views anew,
     /// and ask again for [`Shadows::bind_group`](crate::Shadows::bind_group).
     pub maps: bool,
-    /// Pipelines of [`Shadows::caster_pipeline`](crate::Shadows::caster_pipeline) and
-    /// [`Shadows::second_caster_pipeline`](crate::Shadows::second_caster_pipeline) no longer fit: make them anew.
+    /// Pipelines of [`Shadows::caster_pipeline`](crate::Shadows::caster_pipeline) and its like, and a host's own of
+    /// [`CasterState`](crate::CasterState), no longer fit: make them anew.
     pub casters: bool,
     /// The text of [`Shadows::wgsl`](crate::Shadows::wgsl) is another one: make anew the pipelines that ask for visibility.
     pub receivers: bool,

@@ -10,7 +10,7 @@ use crate::{Lens, Light, LightKind, Pose};
 /// What a world is to be: name, triangles, area in km², casters, moving ones, and near and far of the main camera.
 type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
 
-const TABLE: [Row; 15] = [
+const TABLE: [Row; 17] = [
     ("primitives", 1_300, 0.0016, 17, 0, [1.0, 80.0]),
     // The lamp flies with the light.
     ("orbit", 1_300, 0.0016, 8, 1, [1.0, 80.0]),
@@ -30,6 +30,10 @@ const TABLE: [Row; 15] = [
     ("survey", 953_000, 26.2144, 3138, 0, [1.0, 5000.0]),
     // Eight trees of 17 boughs, three poplars and seven swathes of tall grass move in the wind.
     ("grove", 351_000, 0.81, 6063, 8 * 17 + 3 + 7, [0.3, 1000.0]),
+    // People, flags and bunting, a carousel with horses, signs, pinwheels and bulbs.
+    ("village-fair", 230_000, 0.0144, 300, 100 + 12 + 13 + 7 + 4 + 11, [0.25, 200.0]),
+    // Five hangings move in the draught.
+    ("atrium", 100_000, 0.002304, 150, 5, [0.15, 80.0]),
 ];
 
 /// The surfaces that others stand on.

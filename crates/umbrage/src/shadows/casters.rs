@@ -37,25 +37,49 @@ impl Shadows {
         Some(pipeline.make_second(device, self.second_caster_state()?))
     }
 
+    /// Makes the same for [`Self::cast_second`] and [`Self::begin_second`] on views where [`Self::clipping_caster_pipeline`] draws the
+    /// first surface: what is clipped otherwise than before has other depths, by which the first would not be left out.
+    pub fn clipping_second_caster_pipeline(
+        &self,
+        device: &wgpu::Device,
+        pipeline: &CasterPipeline<'_>,
+    ) -> Option<wgpu::RenderPipeline> {
+        Some(pipeline.make_second(device, self.clipping_second_caster_state()?))
+    }
+
     /// Returns what a pipeline agrees with that the host builds itself, instead of [`Self::caster_pipeline`].
     pub fn caster_state(&self) -> CasterState<'_> {
-        self.state(self.settings.caster_key())
+        self.first(self.settings.caster_key())
     }
 
     /// Returns the same instead of [`Self::clipping_caster_pipeline`].
     pub fn clipping_caster_state(&self) -> Option<CasterState<'_>> {
-        let key = self.settings.caster_key();
-        key.flattens.then(|| self.state(CasterKey { flattens: false, ..key }))
+        self.clipping_key().map(|key| self.first(key))
     }
 
     /// Returns the same instead of [`Self::second_caster_pipeline`]. Its fragment stage must be there, in a module behind
     /// [`second_caster_wgsl`](crate::second_caster_wgsl), and call `umbrage_caster_fragment`.
     pub fn second_caster_state(&self) -> Option<CasterState<'_>> {
-        let layers = self.parts.layers.as_ref()?;
-        Some(CasterState::new(self.settings.caster_key(), &layers.peel_layout, &layers.peel_group))
+        self.second(self.settings.caster_key())
     }
 
-    fn state(&self, key: CasterKey) -> CasterState<'_> {
+    /// Returns the same instead of [`Self::clipping_second_caster_pipeline`].
+    pub fn clipping_second_caster_state(&self) -> Option<CasterState<'_>> {
+        self.clipping_key().and_then(|key| self.second(key))
+    }
+
+    /// The key of pipelines that clip what the others flatten.
+    fn clipping_key(&self) -> Option<CasterKey> {
+        let key = self.settings.caster_key();
+        key.flattens.then_some(CasterKey { flattens: false, ..key })
+    }
+
+    fn first(&self, key: CasterKey) -> CasterState<'_> {
         CasterState::new(key, &self.parts.caster_layout, &self.parts.buffers.caster_group)
+    }
+
+    fn second(&self, key: CasterKey) -> Option<CasterState<'_>> {
+        let layers = self.parts.layers.as_ref()?;
+        Some(CasterState::new(key, &layers.peel_layout, &layers.peel_group))
     }
 }

@@ -212,7 +212,7 @@ impl Casters {
     }
 }
 
-fn buffer(
+pub fn buffer(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
     bytes: &[u8],
