@@ -14,11 +14,11 @@ use crate::{Aabb, Influences, Mesh};
 /// Joints of a vertex in one set.
 const A_SET: usize = 4;
 
+/// An attribute of a primitive.
+type Attribute = (Checked<Semantic>, Index<Accessor>);
+
 /// Adds the joints and weights of a mesh's vertices, in sets of four.
-pub(super) fn influences(
-    document: &mut Document,
-    mesh: &Mesh,
-) -> Result<Vec<(Checked<Semantic>, Index<Accessor>)>, Fault> {
+pub(super) fn influences(document: &mut Document, mesh: &Mesh) -> Result<Vec<Attribute>, Fault> {
     let Influences { per_vertex, joints, weights } = &mesh.influences;
     let (per_vertex, count) = (*per_vertex, mesh.positions.len());
     if joints.len() != per_vertex * count || weights.len() != per_vertex * count {

@@ -77,6 +77,9 @@ fn track() -> impl Strategy<Value = Track> {
     ]
 }
 
+/// The tracks of an animation, and when it begins again.
+type Moves = (Vec<(usize, Track)>, Option<f32>);
+
 fn rig() -> impl Strategy<Value = Rig> {
     let nodes = [node(0), node(1), node(2), node(3), node(4)];
     let skin = vec((0..5usize, place()), 1..4);
@@ -89,7 +92,7 @@ fn rig() -> impl Strategy<Value = Rig> {
             let is_matrix = |node: usize| matches!(nodes[node].rest, Place::Matrix(_));
             let animations: Vec<Animation> = (0..)
                 .zip(animations)
-                .map(|(i, (channels, seconds)): (u32, (Vec<(usize, Track)>, Option<f32>))| {
+                .map(|(i, (channels, seconds)): (u32, Moves)| {
                     let channels: Vec<Channel> = channels
                         .into_iter()
                         .filter(|(node, track)| !(is_matrix(*node) && track.is_of_place()))

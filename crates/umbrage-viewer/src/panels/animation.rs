@@ -43,7 +43,7 @@ fn along(ui: &mut egui::Ui, view: &mut ViewState, animation: &Animation) {
     let mut place = animation.local_time(view.seconds);
     // At the very end it begins again.
     let slider = egui::Slider::new(&mut place, 0.0..=animation.seconds.next_down())
-        .text("along the animation")
+        .text("along it")
         .suffix(" s")
         .max_decimals(3);
     let slider = ui

@@ -144,7 +144,7 @@ fn weights(
     if let Some(weight) = rows.iter().find(|weight| !is_usable(weight)) {
         return Err(Fault(format!("a weight is {weight}, need at most {FARTHEST:e}")));
     }
-    if rows.len() % targets != 0 {
+    if !rows.len().is_multiple_of(targets) {
         return Err(Fault(format!("{} weights for {targets} morph targets", rows.len())));
     }
     curve(times, sampler.mode, rows.chunks(targets).map(<[f32]>::to_vec).collect())
