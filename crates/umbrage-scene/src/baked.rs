@@ -125,7 +125,7 @@ impl Bend<'_> {
 
 #[cfg(test)]
 mod tests {
-    use glam::{Quat, Vec2};
+    use glam::{Mat4, Quat, Vec2};
 
     use super::*;
     use crate::curve::{Curve, Keys};

@@ -8,8 +8,8 @@ use crate::Texture;
 use crate::shape::Ground;
 use crate::worlds::picture::picture;
 
-pub(super) const SIDE: f32 = 900.0;
-const TRIANGLES: usize = 64_800;
+pub(super) const SIDE: f32 = 800.0;
+const TRIANGLES: usize = 51_200;
 
 pub(super) fn build(seed: i32) -> Ground {
     Ground::new(SIDE, TRIANGLES, |p| {
