@@ -24,16 +24,16 @@ use super::stage::{Stage, View, standing};
 use crate::Scene;
 use crate::shape::Ground;
 
-const VIEW: View = View { fov_degrees: 60.0, near: 0.3, far: 700.0 };
+const VIEW: View = View { fov_degrees: 60.0, near: 0.3, far: 620.0 };
 /// Down at the ground, which is near.
 const GROUND: View = View { fov_degrees: 45.0, near: 0.3, far: 70.0 };
 /// From above, at everything.
-const ABOVE: View = View { fov_degrees: 42.0, near: 1.0, far: 1000.0 };
+const ABOVE: View = View { fov_degrees: 36.0, near: 1.0, far: 1000.0 };
 /// Where the main camera stands, on the plan.
 const OUTLOOK: Vec2 = Vec2::new(0.0, 250.0);
 /// The trees at 10, 100 and 400 m from there, on the plan, and their sizes: the nearest is young.
-const SIZES: [f32; 3] = [0.62, 1.0, 1.25];
-const TREES: [Vec2; 3] = [Vec2::new(-6.2, 243.4), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -145.5)];
+const SIZES: [f32; 3] = [0.54, 1.0, 1.25];
+const TREES: [Vec2; 3] = [Vec2::new(-6.75, 243.9), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -145.5)];
 /// The other trees whose boughs sway.
 const SWAYING: [Vec2; 5] = [
     Vec2::new(58.0, 186.0),
@@ -47,10 +47,10 @@ const POPLARS: [Vec2; 3] = [Vec2::new(-37.0, 204.0), Vec2::new(-41.5, 200.0), Ve
 const GUSTS_SECONDS: f32 = 12.0;
 
 pub(super) fn build(seed: u64) -> Scene {
-    let mut stage = Stage::new("grove", seed, VIEW, Vec3::new(0.80, -0.53, -0.28));
+    let mut stage = Stage::new("grove", seed, VIEW, Vec3::new(0.84, -0.53, -0.08));
     let ground = land::build(seed as i32);
-    let meadow = stage.textured(land::meadow());
-    stage.ground(&ground.primitives(meadow, 24.0));
+    let meadow = stage.textured(land::meadow(seed as i32));
+    stage.ground(&ground.primitives(meadow, 1.0));
     let materials = leaves::materials(&mut stage);
     let mut wind = Moves::new(GUSTS_SECONDS);
     plant_trees(&mut stage, &ground, materials.leaf, &mut wind);
@@ -120,11 +120,11 @@ fn plant_poplars(stage: &mut Stage, ground: &Ground, leaf: usize, wind: &mut Mov
 
 fn look(stage: &mut Stage, ground: &Ground) {
     let at = |x: f32, up: f32, z: f32| ground.at(x, z) + Vec3::Y * up;
-    let main = (at(OUTLOOK.x, 3.5, OUTLOOK.y), at(0.0, 3.0, 130.0));
+    let main = (at(OUTLOOK.x, 3.5, OUTLOOK.y), at(0.0, -5.0, 140.0));
     stage.look("main", main.0, main.1);
-    stage.look_through(ABOVE, "far", at(30.0, 95.0, 360.0), at(-14.0, 0.0, 60.0));
+    stage.look_through(ABOVE, "far", at(70.0, 100.0, 350.0), at(34.0, 0.0, 90.0));
     stage.look_through(GROUND, "close", at(4.5, 2.6, 247.0), at(1.0, 0.0, 241.0));
-    stage.look("split", at(22.0, 1.7, 232.0), at(-30.0, 3.0, 110.0));
+    stage.look("split", at(-12.0, 1.7, 226.0), at(26.0, 4.0, 60.0));
     stage.look_into_light(at(16.0, 1.7, 224.0), 11.0);
     let (eye, target) = fence::beside(ground);
     stage.look_through(GROUND, "fence", eye, target);

@@ -10,10 +10,12 @@ use crate::worlds::cards::Cards;
 use crate::worlds::stage::{Stage, standing};
 
 /// Where the fence begins and where it goes, on the plan.
-const START: Vec2 = Vec2::new(10.0, 236.0);
+const START: Vec2 = Vec2::new(16.0, 230.0);
 const ALONG: Vec2 = Vec2::new(0.8, -0.6);
 /// Quads, and how long each is.
 pub(super) const PANELS: usize = 7;
+/// Along so many of them the grass is mown.
+pub(super) const MOWN: usize = 2;
 const PANEL: f32 = 12.0;
 const POSTS_A_PANEL: usize = 4;
 const HEIGHT: f32 = 1.6;

@@ -23,7 +23,7 @@ pub(super) fn sow(stage: &mut Stage, ground: &Ground, grass: usize, wind: &mut M
         let place = OUTLOOK + Vec2::new(across * FIELD * (0.25 + 0.75 * ahead), 4.0 - ahead * FIELD);
         let (yaw, tall) = (dice.angle(), dice.between(0.6, 1.2));
         // Nothing grows in the shade of the tree beside the camera, or before the camera's lens.
-        if place.distance(TREES[0] + Vec2::X * 5.0) < 9.0 || place.distance(OUTLOOK) < 9.0 || lawn(place) {
+        if place.distance(TREES[0] + Vec2::X * 5.0) < 12.0 || place.distance(OUTLOOK) < 15.0 || lawn(place) {
             continue;
         }
         let feet = ground.at(place.x, place.y) - Vec3::Y * 0.03;
@@ -31,7 +31,7 @@ pub(super) fn sow(stage: &mut Stage, ground: &Ground, grass: usize, wind: &mut M
         stage.place(tuft, Mat4::from_scale_rotation_translation(scale, Quat::from_rotation_y(yaw), feet));
     }
     let swathe = swathe(stage, grass);
-    for i in 0..fence::PANELS {
+    for i in fence::MOWN..fence::PANELS {
         let (from, to) = fence::panel(i);
         let place = from.lerp(to, 0.5) + fence::aside() * 1.1;
         let slope = (ground.at(to.x, to.y) - ground.at(from.x, from.y)).normalize_or(Vec3::X);
