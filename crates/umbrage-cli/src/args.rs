@@ -78,6 +78,17 @@ pub struct CastArgs {
     pub cast: Vec<String>,
 }
 
+/// When, and of which animation.
+#[derive(Clone, Debug, Default, Args)]
+pub struct TimeArgs {
+    /// When, for things that move, seconds
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub time: f32,
+    /// Which of the file's animations plays, by name or by number from 0, or `none`; the first where it is not given
+    #[arg(long, value_name = "NAME|N|none")]
+    pub animation: Option<String>,
+}
+
 /// Which world, from where, lit how.
 #[derive(Debug, Args)]
 pub struct WorldArgs {
@@ -109,9 +120,8 @@ pub struct WorldArgs {
     /// Size of the picture, pixels; 1280x720, or 640x360 to measure
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     pub size: Option<(u32, u32)>,
-    /// When, for things that move, seconds
-    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
-    pub time: f32,
+    #[command(flatten)]
+    pub when: TimeArgs,
     /// What a built-in world is grown from
     #[arg(long, default_value_t = 0)]
     pub seed: u64,

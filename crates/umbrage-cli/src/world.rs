@@ -6,7 +6,7 @@ use umbrage_lab::{LabError, Shot};
 use umbrage_render::{Frame, Show};
 use umbrage_scene::{Camera, Environment, Lens, Light, NoSuchName, Pose, Scene, Shining, load_environment};
 
-use crate::args::{CastArgs, LookArgs, WorldArgs};
+use crate::args::{CastArgs, LookArgs, TimeArgs, WorldArgs};
 use crate::failure::{Failure, Outcome};
 
 /// A built-in world, or one from a file. What the file's importer warns of goes to stderr.
@@ -23,7 +23,34 @@ pub fn load(name: &str, seed: u64) -> Outcome<Scene> {
 pub fn open(args: &WorldArgs) -> Outcome<Scene> {
     let mut scene = load(&args.world, args.seed)?;
     let_cast(&mut scene, &args.casting)?;
+    play(&mut scene, &args.when)?;
     Ok(scene)
+}
+
+/// Lets the animation play that the command line wants.
+pub fn play(scene: &mut Scene, when: &TimeArgs) -> Outcome {
+    let Some(wanted) = &when.animation else {
+        return Ok(());
+    };
+    if scene.rig.play(wanted) {
+        return Ok(());
+    }
+    let names = scene.rig.animations.iter().map(|animation| animation.name.as_str());
+    let there = if names.len() > 0 {
+        format!("there are {}, or none", listed(names))
+    } else {
+        "there is none here".to_owned()
+    };
+    Err(Failure::usage(format!("no animation `{wanted}`; {there}")))
+}
+
+/// How a scene stands when the command line says.
+pub fn pose(scene: &Scene, when: &TimeArgs) -> Outcome<Pose> {
+    if when.time.is_finite() {
+        Ok(scene.pose(when.time))
+    } else {
+        Err(Failure::usage(format!("--time must be finite, got {} s", when.time)))
+    }
 }
 
 /// Lets cast shadows what the command line wants to, and nothing that it does not.
@@ -71,11 +98,8 @@ pub fn frame(shot: &Shot, show: Show) -> Outcome<Frame> {
 /// on stderr.
 pub fn shot(args: &WorldArgs, scene: &Scene, size: (u32, u32)) -> Outcome<Shot> {
     let (width, height) = args.size.unwrap_or(size);
-    if !args.time.is_finite() {
-        return Err(Failure::usage(format!("--time must be finite, got {} s", args.time)));
-    }
     let camera = camera(args, scene)?;
-    let pose = Arc::new(scene.pose(args.time));
+    let pose = Arc::new(pose(scene, &args.when)?);
     let lights = lights(args, scene, &camera, &pose)?;
     let shot = Shot { camera, lights, pose, width, height };
     // Whatever cannot be drawn is refused here, before any work is done.

@@ -109,7 +109,7 @@ fn is_own_surface(
     steps.iter().all(|x| {
         steps.iter().all(|y| {
             let beside = receiver.position + (right * *x + up * *y) * texel;
-            world.passage(&ShadowRay::new(&truth.light, beside, 1.0), tolerance).share >= 1.0
+            world.reaching(&ShadowRay::new(&truth.light, beside, 1.0), tolerance) >= 1.0
         })
     })
 }

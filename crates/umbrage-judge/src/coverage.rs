@@ -3,8 +3,9 @@
 //! Source: glTF 2.0, section 3.9.4, *Alpha Coverage*, and the extension `KHR_materials_transmission`. The alpha of a surface
 //! is its base colour's times its picture's (`alpha_picture.rs`) times its vertices', these between corners as rays see them.
 //!
-//! Only triangles that are not solid are kept here. Whoever draws them computes their alpha in f32, and filters in steps of
-//! its own: so each answer comes with what else could have come of it.
+//! Only triangles that are not solid are kept here. To light their coverage is what it is: where a mask's edge lies is as sure
+//! as where a triangle's does. But who draws what an eye sees computes alpha in f32, and filters in steps of its own, and then
+//! sees one surface or another: so what an eye meets comes with what else drawing may make of it.
 
 use glam::Vec2;
 use umbrage_scene::Alpha;
@@ -18,7 +19,7 @@ use alpha_picture::AlphaPicture;
 pub(crate) const SOLID: u32 = u32::MAX;
 
 /// The share of itself by which f32 may change an alpha: sixteen roundings, of two interpolations and two products.
-const ROUNDING: f64 = 8.0 * f32::EPSILON as f64;
+const DRAWN: f64 = 8.0 * f32::EPSILON as f64;
 
 /// The least coverage of what an eye takes for a surface; it looks through what covers less.
 pub(crate) const SEEN: f64 = 0.5;
@@ -49,29 +50,16 @@ pub(crate) struct Surface {
     pub picture: Option<u32>,
 }
 
-/// How much of its place a surface covers at a point, 0 (nothing) to 1 (all).
+/// How much of its place a surface covers where an eye meets it, 0 (nothing) to 1 (all).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Coverage {
-    pub value: f64,
-    /// The least and the most that rounding and filters could make of it.
-    pub range: [f64; 2],
-    /// Whether it is either the one or the other, and nothing between.
-    pub is_mask: bool,
+pub(crate) struct Seen {
+    pub coverage: f64,
+    /// The least and the most that drawing may make of it.
+    pub drawn: [f64; 2],
 }
 
-impl Coverage {
-    pub const ALL: Self = Self { value: 1.0, range: [1.0; 2], is_mask: true };
-
-    /// Whether an eye takes it for a surface.
-    pub fn is_seen(&self) -> bool {
-        self.value >= SEEN
-    }
-
-    /// What counts of the range where shares of light are multiplied: where a mask may cover or not that is everything, and
-    /// where a share is a little off that is nothing.
-    pub fn doubt(&self) -> [f64; 2] {
-        if self.is_mask { self.range } else { [self.value; 2] }
-    }
+impl Seen {
+    pub const WHOLE: Self = Self { coverage: 1.0, drawn: [1.0; 2] };
 }
 
 impl Surface {
@@ -86,18 +74,14 @@ impl Surface {
         covers && self.transmission <= 0.0
     }
 
-    /// The coverage of an alpha, given as what it may be at the least, what it is, and what it may be at the most.
-    fn coverage(&self, alphas: [f64; 3]) -> Coverage {
-        let let_in = 1.0 - f64::from(self.transmission).clamp(0.0, 1.0);
-        let (covered, is_mask) = match self.alpha {
-            Alpha::Opaque => ([1.0; 3], false),
-            Alpha::Mask { cutoff } => {
-                (alphas.map(|alpha| f64::from(u8::from(alpha >= f64::from(cutoff)))), true)
-            }
-            Alpha::Blend => (alphas.map(|alpha| alpha.clamp(0.0, 1.0)), false),
+    /// The coverage of an alpha.
+    fn coverage(&self, alpha: f64) -> f64 {
+        let covered = match self.alpha {
+            Alpha::Opaque => 1.0,
+            Alpha::Mask { cutoff } => f64::from(u8::from(alpha >= f64::from(cutoff))),
+            Alpha::Blend => alpha.clamp(0.0, 1.0),
         };
-        let [least, value, most] = covered.map(|covered| covered * let_in);
-        Coverage { value, range: [least, most], is_mask }
+        covered * (1.0 - f64::from(self.transmission).clamp(0.0, 1.0))
     }
 }
 
@@ -117,28 +101,23 @@ impl Coverages {
         self.place(triangle).map(|place| self.surface_of[place])
     }
 
-    /// The coverage at a point of a triangle, given as how much each corner counts there.
-    pub fn at(&self, triangle: usize, weights: impl FnOnce() -> [f64; 3]) -> Coverage {
+    /// The coverage that light meets at a point of a triangle, given as how much each corner counts there.
+    pub fn at(&self, triangle: usize, weights: impl FnOnce() -> [f64; 3]) -> f64 {
+        let point = |place| Point { all: self, place, weights: weights() };
+        self.place(triangle).map(point).map_or(1.0, |point| point.surface().coverage(point.alpha()))
+    }
+
+    /// The coverage that an eye meets there.
+    pub fn seen(&self, triangle: usize, weights: impl FnOnce() -> [f64; 3]) -> Seen {
         let Some(place) = self.place(triangle) else {
-            return Coverage::ALL;
+            return Seen::WHOLE;
         };
-        let (weights, alphas) = (weights(), self.alphas[place]);
-        let surface = &self.surfaces[self.surface_of[place] as usize];
-        let between =
-            |of: [f32; 3]| -> f64 { weights.iter().zip(of).map(|(weight, of)| weight * f64::from(of)).sum() };
-        let of_picture = surface.picture.map_or([1.0; 3], |picture| {
-            let uvs = self.uvs[place];
-            self.pictures[picture as usize]
-                .sample([between(uvs.map(|uv| uv.x)), between(uvs.map(|uv| uv.y))], largest(&uvs))
-        });
-        // Ones between ones are exact, and so is their product with anything.
-        let of_vertices = if alphas == [1.0; 3] { 1.0 } else { between(alphas) };
-        let alphas = of_picture.map(|alpha| alpha * of_vertices * f64::from(surface.factor));
-        let is_exact = of_vertices == 1.0 && of_picture.iter().all(|alpha| [0.0, 1.0].contains(alpha));
-        let slack = if is_exact { 0.0 } else { ROUNDING * alphas[1].abs() };
-        let least = alphas.into_iter().fold(f64::INFINITY, f64::min) - slack;
-        let most = alphas.into_iter().fold(f64::NEG_INFINITY, f64::max) + slack;
-        surface.coverage([least, alphas[1], most])
+        let point = Point { all: self, place, weights: weights() };
+        let (surface, alpha) = (point.surface(), point.alpha());
+        Seen {
+            coverage: surface.coverage(alpha),
+            drawn: point.drawn(alpha).map(|alpha| surface.coverage(alpha)),
+        }
     }
 
     /// The same for triangles in another order.
@@ -149,9 +128,60 @@ impl Coverages {
     }
 }
 
-/// The largest of some texture coordinates.
-fn largest(uvs: &[Vec2; 3]) -> f64 {
-    f64::from(uvs.iter().fold(Vec2::ZERO, |largest, uv| largest.max(uv.abs())).max_element())
+/// A point of a triangle that is not solid.
+struct Point<'a> {
+    all: &'a Coverages,
+    place: usize,
+    /// How much each corner counts.
+    weights: [f64; 3],
+}
+
+impl Point<'_> {
+    fn surface(&self) -> &Surface {
+        &self.all.surfaces[self.all.surface_of[self.place] as usize]
+    }
+
+    fn picture(&self) -> Option<&AlphaPicture> {
+        self.surface().picture.map(|picture| &self.all.pictures[picture as usize])
+    }
+
+    fn between(&self, of: [f32; 3]) -> f64 {
+        self.weights.iter().zip(of).map(|(weight, of)| weight * f64::from(of)).sum()
+    }
+
+    fn uv(&self) -> [f64; 2] {
+        let uvs = self.all.uvs[self.place];
+        [self.between(uvs.map(|uv| uv.x)), self.between(uvs.map(|uv| uv.y))]
+    }
+
+    /// The largest texture coordinate of the corners.
+    fn largest(&self) -> f64 {
+        let uvs = self.all.uvs[self.place];
+        f64::from(uvs.iter().fold(Vec2::ZERO, |largest, uv| largest.max(uv.abs())).max_element())
+    }
+
+    /// What the picture's alpha is multiplied with. Ones between ones are exact.
+    fn factor(&self) -> f64 {
+        let alphas = self.all.alphas[self.place];
+        let of_vertices = if alphas == [1.0; 3] { 1.0 } else { self.between(alphas) };
+        of_vertices * f64::from(self.surface().factor)
+    }
+
+    fn alpha(&self) -> f64 {
+        self.picture().map_or(1.0, |picture| picture.value(self.uv())) * self.factor()
+    }
+
+    /// The least and the most that drawing may make of the alpha.
+    fn drawn(&self, alpha: f64) -> [f64; 2] {
+        let filtered = self.picture().map(|picture| picture.drawn(self.uv(), self.largest()));
+        let [a, b] =
+            filtered.map_or([alpha; 2], |filtered| filtered.map(|of_picture| of_picture * self.factor()));
+        // One times a number, and nothing times a number, are exact.
+        let is_exact = self.all.alphas[self.place] == [1.0; 3]
+            && filtered.is_none_or(|filtered| filtered == [1.0; 2] || filtered == [0.0; 2]);
+        let slack = if is_exact { 0.0 } else { DRAWN * alpha.abs() };
+        [a.min(b).min(alpha) - slack, a.max(b).max(alpha) + slack]
+    }
 }
 
 #[cfg(test)]
@@ -172,30 +202,32 @@ mod tests {
     #[test]
     fn a_mask_covers_where_alpha_is_no_less_than_the_cut_off() {
         let mask = |cutoff, weight: f64| {
-            let coverage = surface(Alpha::Mask { cutoff }, 0.0, 1.0).at(1, || [1.0 - weight, 0.0, weight]);
-            (coverage.value, coverage.range)
+            surface(Alpha::Mask { cutoff }, 0.0, 1.0).at(1, || [1.0 - weight, 0.0, weight])
         };
-        assert_eq!(mask(0.5, 0.25), (1.0, [1.0; 2]));
-        assert_eq!(mask(0.5, 0.75), (0.0, [0.0; 2]));
-        assert_eq!(mask(0.5, 0.5), (1.0, [0.0, 1.0]), "equal covers, but rounding decides");
-        assert_eq!((mask(0.0, 1.0).0, mask(-1.0, 1.0).0, mask(1.1, 0.0).0), (1.0, 1.0, 0.0));
+        assert_eq!([mask(0.5, 0.25), mask(0.5, 0.75), mask(0.5, 0.5)], [1.0, 0.0, 1.0]);
+        assert_eq!([mask(0.0, 1.0), mask(-1.0, 1.0), mask(1.1, 0.0)], [1.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn who_draws_may_see_another_side_of_a_cut_off_than_light_does() {
+        let mask = surface(Alpha::Mask { cutoff: 0.5 }, 0.0, 1.0);
+        let near = || [0.5 + 1e-8, 0.0, 0.5 - 1e-8];
+        assert_eq!(mask.seen(1, near), Seen { coverage: 1.0, drawn: [0.0, 1.0] });
+        assert_eq!(mask.seen(1, || [0.6, 0.0, 0.4]).drawn, [1.0; 2]);
+        let plain = Coverages { alphas: vec![[1.0; 3]], ..surface(Alpha::Mask { cutoff: 0.3 }, 0.0, 0.3) };
+        assert_eq!(plain.seen(1, near), Seen::WHOLE, "equal, and exact");
     }
 
     #[test]
     fn glass_covers_by_its_alpha_and_lets_through_what_it_transmits() {
-        let at = |alpha, transmission, factor| {
-            surface(alpha, transmission, factor).at(1, || [0.5, 0.0, 0.5]).value
-        };
+        let at = |alpha, transmission, factor| surface(alpha, transmission, factor).at(1, || [0.5, 0.0, 0.5]);
         assert_eq!(at(Alpha::Blend, 0.0, 1.0), 0.5);
         assert_eq!(at(Alpha::Blend, 0.5, 0.5), 0.125);
         assert_eq!(at(Alpha::Opaque, 0.75, 0.0), 0.25);
         assert_eq!(at(Alpha::Blend, 2.0, 9.0), 0.0);
-        assert_eq!(surface(Alpha::Blend, 1.0, 0.0).at(0, || [1.0, 0.0, 0.0]), Coverage::ALL, "a solid one");
-        assert_eq!(
-            surface(Alpha::Blend, 1.0, 0.0).at(9, || [1.0, 0.0, 0.0]),
-            Coverage::ALL,
-            "one after the last"
-        );
+        let of = |triangle| surface(Alpha::Blend, 1.0, 0.0).at(triangle, || [1.0, 0.0, 0.0]);
+        assert_eq!(of(0), 1.0, "a solid one");
+        assert_eq!(of(9), 1.0, "one after the last");
     }
 
     #[test]

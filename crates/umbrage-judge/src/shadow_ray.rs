@@ -5,7 +5,6 @@
 
 use glam::DVec3;
 
-use crate::passage::Passage;
 use crate::triangles::HALF_ULP;
 use crate::{Light, Ray, Receiver, World};
 
@@ -92,7 +91,7 @@ pub(crate) fn turn(light: &Light, distance: f64) -> f64 {
     }
 }
 
-/// How much light comes from a light to a receiver, so many ε off both.
-pub(crate) fn passage(world: &World, light: &Light, receiver: &Receiver, epsilons: f64) -> Passage {
-    world.passage(&ShadowRay::of(world, light, receiver, epsilons), 0.0)
+/// The share of light, 0 to 1, that reaches a receiver from a light, so many ε off both.
+pub(crate) fn reaching(world: &World, light: &Light, receiver: &Receiver, epsilons: f64) -> f64 {
+    world.reaching(&ShadowRay::of(world, light, receiver, epsilons), 0.0)
 }

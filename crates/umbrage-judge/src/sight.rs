@@ -1,9 +1,9 @@
-//! What a ray of the eye sees first, and what else it may see where rounding decides.
+//! What a ray of the eye sees first, and what else it may see where it depends on how that is drawn.
 //!
 //! The eye takes for a surface what covers at least half of its place, and looks through what covers less: so does whoever
 //! draws visibility, one answer a pixel.
 
-use crate::coverage::SEEN;
+use crate::coverage::{SEEN, Seen};
 use crate::shadow_ray::loss_of_sight;
 use crate::truth::Receiver;
 use crate::{Eye, Hit, Ray, World};
@@ -13,7 +13,7 @@ use crate::{Eye, Hit, Ray, World};
 pub(crate) struct Sight {
     /// The first surface; `None` for sky.
     pub receiver: Option<Receiver>,
-    /// What it sees instead, if masks before it cover a little more or less than they should; mostly nothing.
+    /// What it sees instead, if drawing makes what is before it cover a little more or less; mostly nothing.
     pub doubts: Vec<Option<Receiver>>,
 }
 
@@ -23,15 +23,15 @@ impl Sight {
         let mut sight = Self::default();
         let (mut from, mut is_found) = (eye.near, false);
         while let Some(hit) = world.first_seen(ray, from, eye.far) {
-            let coverage = world.coverage(ray, hit.triangle);
+            let Seen { coverage, drawn } = world.seen(ray, hit.triangle);
             let receiver = Some(surface(world, ray, hit));
-            if coverage.is_seen() && !is_found {
+            if coverage >= SEEN && !is_found {
                 sight.receiver = receiver;
                 is_found = true;
             } else {
                 sight.doubts.push(receiver);
             }
-            if coverage.range[0] >= SEEN {
+            if drawn[0] >= SEEN {
                 return sight;
             }
             from = hit.distance.next_up();

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::shadow_ray::passage;
+use crate::shadow_ray::reaching;
 use crate::sight::receiver;
 use crate::truth::{Receiver, can_be_lit};
 use crate::{Light, Toward, Truth, World};
@@ -31,7 +31,7 @@ pub fn sub_pixel(world: &World, truth: &Truth, side: u32) -> Smooth {
             let ray = eye.ray(place(i % width, j % side), place(i / width, j / side));
             if let Some(receiver) = receiver(world, eye, &ray).filter(|r| can_be_lit(light, r)) {
                 points += 1;
-                lit += passage(world, light, &receiver, 1.0).share;
+                lit += reaching(world, light, &receiver, 1.0);
             }
         }
         ((lit / f64::from(points.max(1))) as f32, 0.0)
@@ -69,7 +69,7 @@ pub fn soft(world: &World, truth: &Truth, radius: f64, samples: u32) -> Smooth {
 /// The share of some lights that reaches a receiver, and its standard error: that of the mean of the sets' own shares.
 fn share_reached(world: &World, receiver: &Receiver, sets: &[Vec<Light>]) -> (f32, f32) {
     let reached = |light: &Light| {
-        if can_be_lit(light, receiver) { passage(world, light, receiver, 1.0).share } else { 0.0 }
+        if can_be_lit(light, receiver) { reaching(world, light, receiver, 1.0) } else { 0.0 }
     };
     let share = |set: &Vec<Light>| set.iter().map(reached).sum::<f64>() / set.len().max(1) as f64;
     let interval = crate::statistics::Interval::of(sets.iter().map(share).collect());

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use crate::shadow_ray::passage;
+use crate::shadow_ray::reaching;
 use crate::sight::receiver;
 use crate::truth::can_be_lit;
 use crate::verdict::is_shadow;
@@ -93,7 +93,7 @@ pub fn visibility(world: &World, light: &Light, anchors: &[Anchor]) -> Vec<f32> 
         let Anchor { position, normal, lift } = *anchor;
         let receiver = crate::Receiver { position, normal, depth: 0.0, triangle: 0, lift, tilt: 0.0 };
         match light.toward(anchor.position) {
-            Some(_) => passage(world, light, &receiver, 1.0).share as f32,
+            Some(_) => reaching(world, light, &receiver, 1.0) as f32,
             None => f32::NAN,
         }
     };

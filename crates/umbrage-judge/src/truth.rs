@@ -2,7 +2,7 @@
 //!
 //! A pixel is judged by the ray through its centre: the first surface it meets (`sight.rs`), and from there a ray to the
 //! light, lifted off the surface by ε. What that meets may let a share of the light through (`passage.rs`). A light that stands in the world may stand on a surface too: what is within ε of it is not before
-//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged; nor where a mask may cover or not, and it matters. Nor are pixels whose surface is turned
+//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged; nor where drawing decides which surface it shows, and it matters. Nor are pixels whose surface is turned
 //! away from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
 //!
 //! ε, and the angle at which a surface begins to face a light, are what rounding of the world's f32 numbers may have done to
@@ -12,8 +12,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::passage::Passage;
-use crate::shadow_ray::{passage, turn};
+use crate::shadow_ray::{reaching, turn};
 use crate::sight::Sight;
 use crate::{Eye, Light, Ray, Toward, World};
 
@@ -189,8 +188,6 @@ fn of_receiver(world: &World, light: &Light, receiver: Option<&Receiver>, distan
     if faces.is_none() {
         return Pixel::Ambiguous;
     }
-    let Passage { share, range: [least, most] } = passage(world, light, receiver, 1.0);
-    let farther = passage(world, light, receiver, 2.0).range;
-    let is_sure = most.max(farther[1]) - least.min(farther[0]) <= SAME;
-    if is_sure { Pixel::reached(share) } else { Pixel::Ambiguous }
+    let [share, farther] = [1.0, 2.0].map(|epsilons| reaching(world, light, receiver, epsilons));
+    if (share - farther).abs() <= SAME { Pixel::reached(share) } else { Pixel::Ambiguous }
 }

@@ -11,8 +11,8 @@ use obvhs::ray::RayHit;
 use umbrage_scene::{Pose, Scene};
 
 use crate::Ray;
-use crate::coverage::{Coverage, SEEN};
-use crate::passage::{Layer, Layers, Passage};
+use crate::coverage::{SEEN, Seen};
+use crate::passage::{Layer, Layers};
 use crate::shadow_ray::{ShadowRay, loss};
 use crate::triangles::{Triangles, normal};
 use crate::unit_box::{MARGIN, UnitBox};
@@ -110,28 +110,33 @@ impl World {
     /// Returns the share of light, 0 to 1, that triangles which cast shadows let through along a ray, at distances from `from`
     /// to below `to`, in multiples of its direction: the product of what each surface does not cover.
     pub fn transmitted(&self, ray: &Ray, from: f64, to: f64) -> f64 {
-        self.past(ray, from, to, |triangle, _| self.triangles.casts[triangle]).share
+        self.past(ray, from, to, |triangle, _| self.triangles.casts[triangle])
     }
 
-    /// How much light comes along a ray to a light past what casts a shadow there, from `from` metres on.
-    pub(crate) fn passage(&self, to_light: &ShadowRay, from: f64) -> Passage {
+    /// The share of light that comes along a ray to a light past what casts a shadow there, from `from` metres on.
+    pub(crate) fn reaching(&self, to_light: &ShadowRay, from: f64) -> f64 {
         self.past(&to_light.ray, from, to_light.end, |triangle, at| to_light.is_cast_by(self, triangle, at))
     }
 
     /// The nearest of what casts some shadow along a ray to a light.
     pub(crate) fn first_caster(&self, to_light: &ShadowRay) -> Option<Hit> {
         self.first(&to_light.ray, 0.0, to_light.end, |triangle, at| {
-            to_light.is_cast_by(self, triangle, at) && self.coverage(&to_light.ray, triangle).value > 0.0
+            to_light.is_cast_by(self, triangle, at) && self.coverage(&to_light.ray, triangle) > 0.0
         })
     }
 
     /// The nearest triangle along a ray that an eye may take for a surface, if rounding decides so.
     pub(crate) fn first_seen(&self, ray: &Ray, from: f64, to: f64) -> Option<Hit> {
-        self.first(ray, from, to, |triangle, _| self.coverage(ray, triangle).range[1] >= SEEN)
+        self.first(ray, from, to, |triangle, _| self.seen(ray, triangle).drawn[1] >= SEEN)
     }
 
-    /// How much of its place a triangle covers where a ray meets it.
-    pub(crate) fn coverage(&self, ray: &Ray, triangle: usize) -> Coverage {
+    /// How much of its place a triangle covers where a ray of an eye meets it.
+    pub(crate) fn seen(&self, ray: &Ray, triangle: usize) -> Seen {
+        self.triangles.coverages.seen(triangle, || ray.weights(&self.triangles.corners[triangle]))
+    }
+
+    /// How much of its place a triangle covers where a ray of light meets it.
+    fn coverage(&self, ray: &Ray, triangle: usize) -> f64 {
         self.triangles.coverages.at(triangle, || ray.weights(&self.triangles.corners[triangle]))
     }
 
@@ -152,13 +157,13 @@ impl World {
         first
     }
 
-    /// What comes past all triangles that count.
-    fn past(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> Passage {
+    /// The share that comes past all triangles that count.
+    fn past(&self, ray: &Ray, from: f64, to: f64, counts: impl Fn(usize, f64) -> bool) -> f64 {
         let (Some(walk), Some(bvh)) = (self.cube.walk(ray, from, to), &self.bvh) else {
-            return Passage::ALL;
+            return 1.0;
         };
         let mut layers = Layers::default();
-        // The walk ends at the first triangle that covers all for sure.
+        // The walk ends at the first triangle that covers all.
         let is_open = bvh.ray_traverse_miss(walk.ray, |_, triangle| {
             let hit = ray.hit(&self.triangles.corners[triangle]);
             match hit.filter(|distance| *distance >= from && *distance < to && counts(triangle, *distance)) {
@@ -167,21 +172,17 @@ impl World {
                 None => f32::INFINITY,
             }
         });
-        if is_open { layers.passage() } else { Passage::NONE }
+        if is_open { layers.share() } else { 0.0 }
     }
 
-    /// Whether a triangle may let anything through where a ray meets it; if so it becomes one of the layers.
+    /// Whether a triangle lets anything through where a ray meets it. One that lets a share through becomes one of the layers.
     fn is_open(&self, ray: &Ray, triangle: usize, distance: f64, layers: &mut Layers) -> bool {
         let Some(surface) = self.triangles.coverages.surface(triangle) else {
             return false;
         };
         let coverage = self.coverage(ray, triangle);
-        let [least, most] = coverage.doubt();
-        if least >= 1.0 {
-            return false;
-        }
-        if most <= 0.0 {
-            return true;
+        if coverage <= 0.0 || coverage >= 1.0 {
+            return coverage <= 0.0;
         }
         let off_plane = self.triangles.lift(triangle) + loss(self, ray.at(distance));
         let slack = off_plane / self.normal(triangle).dot(ray.direction).abs();
@@ -278,7 +279,7 @@ mod tests {
                 let casters = hits.filter(|(i, d)| to_light.is_cast_by(&world, *i, *d)).map(|(_, d)| d);
                 let by_force = casters.min_by(f64::total_cmp);
                 prop_assert_eq!(world.first_caster(&to_light).map(|hit| hit.distance), by_force);
-                prop_assert_eq!(world.passage(&to_light, 0.0).share < 1.0, by_force.is_some());
+                prop_assert_eq!(world.reaching(&to_light, 0.0) < 1.0, by_force.is_some());
             }
         }
     }

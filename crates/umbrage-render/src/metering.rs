@@ -10,7 +10,7 @@
 
 use glam::{Mat4, Vec3};
 use umbrage::LightKind;
-use umbrage_scene::{Camera, Lens, Part, Scene};
+use umbrage_scene::{Camera, Instance, Lens, Mesh, Part, Pose, Scene};
 
 use crate::exposure::WHITE;
 use crate::light::FrameLight;
@@ -67,19 +67,19 @@ impl Meter {
         let size = scene.bounds_in(&scene.pose(0.0)).size().length();
         let eye = scene.cameras.first().map(|camera| Eye::new(camera, NEAREST * size));
         let pieces = pieces(scene, eye.as_ref());
-        let total: f64 = pieces.iter().map(|(_, _, weight)| f64::from(*weight)).sum();
+        let total: f64 = pieces.iter().map(|piece| f64::from(piece.weight)).sum();
         let mut samples = Vec::with_capacity(SAMPLES);
         let (mut piece, mut before) = (0, 0.0);
         for i in 0..SAMPLES {
             let wanted = (i as f64 + 0.5) / SAMPLES as f64 * total;
-            while piece + 1 < pieces.len() && before + f64::from(pieces[piece].2) <= wanted {
-                before += f64::from(pieces[piece].2);
+            while piece + 1 < pieces.len() && before + f64::from(pieces[piece].weight) <= wanted {
+                before += f64::from(pieces[piece].weight);
                 piece += 1;
             }
-            if let Some((instance, part, weight)) = pieces.get(piece) {
+            if let Some(piece) = pieces.get(piece) {
                 samples.extend(
-                    sample(scene, *instance, part, eye.as_ref(), i)
-                        .map(|sample| Sample { weight: sample.weight / weight, ..sample }),
+                    sample(scene, piece, eye.as_ref(), i)
+                        .map(|sample| Sample { weight: sample.weight / piece.weight, ..sample }),
                 );
             }
         }
@@ -107,27 +107,41 @@ impl Meter {
     }
 }
 
-/// Every part of every instance, with how large it looks.
-fn pieces<'a>(scene: &'a Scene, eye: Option<&Eye>) -> Vec<(usize, &'a Part, f32)> {
-    let mut pieces = Vec::new();
-    for (i, instance) in scene.instances.iter().enumerate() {
-        for part in &scene.meshes[instance.mesh].parts {
-            let aabb = part.bounds.transformed(&instance.world_from_mesh);
+/// A part of an instance, with how large it looks.
+struct Piece<'a> {
+    mesh: &'a Mesh,
+    part: &'a Part,
+    world_from_mesh: Mat4,
+    weight: f32,
+}
+
+/// Every part of every instance that is seen at the start.
+fn pieces<'a>(scene: &'a Scene, eye: Option<&Eye>) -> Vec<Piece<'a>> {
+    let (mut pieces, pose) = (Vec::new(), scene.pose(0.0));
+    for instance in scene.instances.iter().filter(|instance| instance.is_visible_in(&pose)) {
+        let (mesh, world_from_mesh) = (&scene.meshes[instance.mesh], world_from_mesh(scene, instance, &pose));
+        for part in &mesh.parts {
+            let aabb = part.bounds.transformed(&world_from_mesh);
             let [x, y, z] = aabb.size().to_array();
             let nearest = |eye: &Eye| eye.looks(eye.position.clamp(aabb.min, aabb.max), false);
             let weight = (x * y + y * z + z * x) * eye.map_or(1.0, nearest);
             if weight.is_finite() && weight > 0.0 {
-                pieces.push((i, part, weight));
+                pieces.push(Piece { mesh, part, world_from_mesh, weight });
             }
         }
     }
     pieces
 }
 
+/// Where an instance stands; one that joints bend as its first joint alone would have it, which is near enough.
+fn world_from_mesh(scene: &Scene, instance: &Instance, pose: &Pose) -> Mat4 {
+    let first = instance.skin.and_then(|skin| pose.joints(&scene.rig, skin).next());
+    instance.world_from_mesh_in(pose) * first.unwrap_or(Mat4::IDENTITY)
+}
+
 /// A point on a part, the `i`-th of all; `None` where it lands on a triangle of no size.
-fn sample(scene: &Scene, instance: usize, part: &Part, eye: Option<&Eye>, i: usize) -> Option<Sample> {
-    let instance = &scene.instances[instance];
-    let mesh = &scene.meshes[instance.mesh];
+fn sample(scene: &Scene, piece: &Piece<'_>, eye: Option<&Eye>, i: usize) -> Option<Sample> {
+    let Piece { mesh, part, world_from_mesh, weight: _ } = piece;
     // Steps of the R3 sequence (Roberts 2018): points of neighbouring numbers lie apart.
     let step = |of: f64| ((i + 1) as f64 * of).fract();
     let triangles = part.indices.len() / 3;
@@ -136,7 +150,7 @@ fn sample(scene: &Scene, instance: usize, part: &Part, eye: Option<&Eye>, i: usi
     let first = part.indices.start as usize + 3 * triangle;
     let corner = |k: usize| {
         let position = mesh.positions[mesh.indices[first + k] as usize];
-        instance.world_from_mesh.transform_point3(position)
+        world_from_mesh.transform_point3(position)
     };
     let [a, b, c] = [corner(0), corner(1), corner(2)];
     // Evenly over the triangle (Osada et al. 2002, eq. 1).

@@ -14,7 +14,7 @@ use reference::{baked, bent};
 use umbrage_render::umbrage::{Bias, CasterFaces, Filter, Settings};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
 use umbrage_scene::rig::{Channel, Track};
-use umbrage_scene::{Curve, Instance, Keys, Light, Mesh, Scene};
+use umbrage_scene::{Curve, Instance, Keys, Light, Mesh, Scene, load_glb_bytes, to_glb};
 
 fn gpu() -> Gpu {
     Gpu::new(Some("vulkan")).expect("run scripts/setup")
@@ -72,19 +72,35 @@ fn pictures_of_bent_bodies_are_those_of_the_same_pose_in_still_meshes() {
             let still = visibility(&gpu, &baked(&scene, &pose), 0.0, &settings);
             let shadowed = still.iter().filter(|pixel| **pixel < 128).count();
             assert!(shadowed > 150, "{name}, {casters:?}: {shadowed} pixels are in shadow");
-            // A texel is smaller than two pixels here.
-            let is_edge = |i: usize| {
-                let (x, y) = (i % 240, i / 240);
-                let rows = y.saturating_sub(2)..(y + 3).min(160);
-                let mut around =
-                    rows.flat_map(|row| (x.saturating_sub(2)..(x + 3).min(240)).map(move |x| row * 240 + x));
-                around.any(|other| still[other] != still[i])
-            };
             let off = (0..still.len()).filter(|i| moving[*i] != still[*i]);
-            let (edge, inside): (Vec<usize>, Vec<usize>) = off.partition(|i| is_edge(*i));
+            let (edge, inside): (Vec<usize>, Vec<usize>) = off.partition(|i| is_edge(&still, *i));
             assert!(inside.is_empty(), "{name}, {casters:?}: {} pixels off any edge differ", inside.len());
             assert!(edge.len() < 200, "{name}, {casters:?}: {} pixels at edges differ", edge.len());
         }
+    }
+}
+
+/// Whether each pixel is where two levels meet, within two pixels: a texel is smaller here.
+fn is_edge(picture: &[u8], i: usize) -> bool {
+    let (x, y) = (i % 240, i / 240);
+    let columns = || x.saturating_sub(2)..(x + 3).min(240);
+    let mut around =
+        (y.saturating_sub(2)..(y + 3).min(160)).flat_map(|row| columns().map(move |x| row * 240 + x));
+    around.any(|other| picture[other] != picture[i])
+}
+
+#[test]
+fn pictures_of_bent_bodies_are_those_of_the_pose_baked_into_a_file() {
+    let (gpu, settings) = (gpu(), Settings { filter: Filter::Hard {}, ..Settings::default() });
+    for (name, scene) in bodies() {
+        let bytes = to_glb(&scene.baked(&scene.pose(0.0))).expect("a file");
+        let file = load_glb_bytes(&bytes, name).expect("the file reads back").scene;
+        assert!(file.rig.nodes.is_empty() && !file.instances.iter().any(Instance::is_dynamic), "{name}");
+        let still = visibility(&gpu, &file, 0.0, &settings);
+        let moving = visibility(&gpu, &scene, 0.0, &settings);
+        let off: Vec<usize> = (0..still.len()).filter(|i| moving[*i] != still[*i]).collect();
+        let inside = off.iter().filter(|i| !is_edge(&still, **i)).count();
+        assert!(inside == 0 && off.len() < 200, "{name}: {} differ, {inside} of them off edges", off.len());
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: glTF 2.0, appendix C, *Animation Sampler Interpolation Modes*.
 
-use glam::{Quat, Vec3};
+use glam::{DVec3, Quat, Vec3};
 
 /// A curve is a property over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,6 +74,11 @@ impl<T: Between> Curve<T> {
 
     /// Returns the property at a time; before the first key it is that of the first, after the last that of the last.
     pub fn at(&self, seconds: f32) -> T {
+        self.at_as(seconds, T::clone)
+    }
+
+    /// Returns the property at a time, as [`Self::at`], in the type that `value` makes of keys.
+    pub(crate) fn at_as<U: Between>(&self, seconds: f32, value: impl Fn(&T) -> U) -> U {
         let after = self.times.partition_point(|time| *time <= seconds).clamp(1, self.times.len());
         let before = after - 1;
         let is_last = after == self.times.len();
@@ -83,18 +88,18 @@ impl<T: Between> Curve<T> {
         // Also of no time at all.
         let share = if span > 0.0 && share > 0.0 { share.min(1.0) } else { 0.0 };
         match &self.keys {
-            Keys::Step(values) => values[before].clone(),
-            Keys::Linear(values) if share == 0.0 => values[before].clone(),
-            Keys::Linear(values) => T::lerp(&values[before], &values[after], share),
-            Keys::Cubic(values) if share == 0.0 => values[before][1].clone(),
+            Keys::Step(values) => value(&values[before]),
+            Keys::Linear(values) if share == 0.0 => value(&values[before]),
+            Keys::Linear(values) => U::lerp(&value(&values[before]), &value(&values[after]), share),
+            Keys::Cubic(values) if share == 0.0 => value(&values[before][1]),
             Keys::Cubic(values) => {
                 let ([_, from, out], [into, to, _]) = (&values[before], &values[after]);
                 let (t, t2, t3) = (share, share * share, share * share * share);
-                T::sum([
-                    (from, 2.0 * t3 - 3.0 * t2 + 1.0),
-                    (out, span * (t3 - 2.0 * t2 + t)),
-                    (to, -2.0 * t3 + 3.0 * t2),
-                    (into, span * (t3 - t2)),
+                U::sum([
+                    (&value(from), 2.0 * t3 - 3.0 * t2 + 1.0),
+                    (&value(out), span * (t3 - 2.0 * t2 + t)),
+                    (&value(to), -2.0 * t3 + 3.0 * t2),
+                    (&value(into), span * (t3 - t2)),
                 ])
             }
         }
@@ -108,6 +113,16 @@ impl Between for Vec3 {
 
     fn sum(parts: [(&Self, f32); 4]) -> Self {
         parts.into_iter().map(|(value, weight)| *value * weight).sum()
+    }
+}
+
+impl Between for DVec3 {
+    fn lerp(from: &Self, to: &Self, t: f32) -> Self {
+        DVec3::lerp(*from, *to, f64::from(t))
+    }
+
+    fn sum(parts: [(&Self, f32); 4]) -> Self {
+        parts.into_iter().map(|(value, weight)| *value * f64::from(weight)).sum()
     }
 }
 

@@ -128,22 +128,24 @@ impl Instance {
 impl Scene {
     /// Returns the box around everything that is seen in a pose, in world space.
     pub fn bounds_in(&self, pose: &Pose) -> Aabb {
+        self.boxes_in(pose).map(|(_, aabb)| aabb).fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    /// Returns the box around each instance that is seen in a pose, in world space, and the instance.
+    pub(crate) fn boxes_in<'a>(&'a self, pose: &'a Pose) -> impl Iterator<Item = (&'a Instance, Aabb)> + 'a {
         let mut deformed: Vec<Option<DeformedBounds>> = vec![None; self.meshes.len()];
-        self.instances.iter().filter(|instance| instance.is_visible_in(pose)).fold(
-            Aabb::EMPTY,
-            |sum, instance| {
-                let mesh = &self.meshes[instance.mesh];
-                let local = if instance.is_deformed(mesh) {
-                    let bounds = deformed[instance.mesh].get_or_insert_with(|| DeformedBounds::of(mesh));
-                    let skin = instance.skin.filter(|_| !mesh.influences.is_empty());
-                    let joints: Vec<Mat4> =
-                        skin.map_or_else(Vec::new, |skin| pose.joints(&self.rig, skin).collect());
-                    bounds.whole(&joints, instance.node.map_or(&[], |node| pose.weights(node)))
-                } else {
-                    mesh.bounds
-                };
-                sum.union(local.transformed(&instance.world_from_mesh_in(pose)))
-            },
-        )
+        self.instances.iter().filter(|instance| instance.is_visible_in(pose)).map(move |instance| {
+            let mesh = &self.meshes[instance.mesh];
+            let local = if instance.is_deformed(mesh) {
+                let bounds = deformed[instance.mesh].get_or_insert_with(|| DeformedBounds::of(mesh));
+                let skin = instance.skin.filter(|_| !mesh.influences.is_empty());
+                let joints: Vec<Mat4> =
+                    skin.map_or_else(Vec::new, |skin| pose.joints(&self.rig, skin).collect());
+                bounds.whole(&joints, instance.node.map_or(&[], |node| pose.weights(node)))
+            } else {
+                mesh.bounds
+            };
+            (instance, local.transformed(&instance.world_from_mesh_in(pose)))
+        })
     }
 }

@@ -1,29 +1,34 @@
 //! A scene to one binary glTF file, such that reading it gives the same bits again.
 //!
 //! Each mesh has one accessor for each attribute, which all its primitives share, and one primitive for each part: parts
-//! are small enough to be parts again. Instances, cameras and lights are nodes with matrices, side by side. Left out:
-//! meshes without triangles, their instances, textures that no material uses, and the environment picture. What glTF has
-//! no words for is in `extras.rs`. A scene whose origin lies elsewhere in its file hangs on nodes that move it there.
+//! are small enough to be parts again. Instances, cameras and lights are nodes with matrices, side by side, or children of
+//! the nodes of the rig. Left out: meshes without triangles, their instances, textures that no material uses, and the
+//! environment picture. What glTF has no words for is in `extras.rs`. A scene whose origin lies elsewhere in its file hangs
+//! on nodes that move it there.
 
+mod animations;
+mod bending;
 mod bytes;
 mod materials;
 mod pieces;
+mod rig;
 
 use std::borrow::Cow;
 
-use glam::{DVec3, Mat4};
+use glam::DVec3;
 use gltf::binary::{Glb, Header};
-use gltf::json::{Asset, Index, Mesh as JsonMesh, Node, Root, Scene as JsonScene};
+use gltf::json::{Asset, Extras, Index, Mesh as JsonMesh, Node, Root, Scene as JsonScene, Value};
 
 use self::bytes::Document;
+use self::rig::{Tree, node};
 use crate::error::{Fault, SceneError};
 use crate::import::domes;
-use crate::{Scene, extras};
+use crate::{Instance, Motion, Scene, extras};
 
 /// So many f32 have all digits of an f64, and more.
 const MOST_DIGITS: usize = 4;
 
-/// Writes a scene as the bytes of a `.glb` file.
+/// Writes a scene as the bytes of a `.glb` file, with what moves it. Places of the rig's nodes are rounded to f32.
 ///
 /// # Errors
 ///
@@ -43,7 +48,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         cameras,
         lights,
         path,
-        rig: _,
+        rig,
         exposed_for,
         origin,
         environment: _,
@@ -59,57 +64,67 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
         places.push(if empty { None } else { Some(pieces::add_mesh(&mut document, mesh)?) });
     }
 
+    let mut tree = Tree::new(&mut document, rig)?;
+    let skins = bending::skins(&mut document, rig, &tree)?;
     let mut nodes = Vec::new();
     for instance in instances {
         let Some(place) = places.get(instance.mesh) else {
             return Err(Fault(format!("an instance of mesh {} of {}", instance.mesh, places.len())));
         };
         if let Some(mesh) = *place {
-            // A dome would cast nothing without a word.
-            let is_unlit = domes::is_unlit(&meshes[instance.mesh], materials);
-            let cast = if instance.casts && is_unlit {
-                Some(extras::cast_after_all())
-            } else {
-                extras::cast(instance.casts)
+            let skin = |skin: usize| {
+                let missing = || Fault(format!("an instance with skin {skin} of {}", skins.len()));
+                skins.get(skin).copied().ok_or_else(missing)
             };
+            let skin = instance.skin.map(skin).transpose()?;
             let name = (!instance.name.is_empty()).then(|| instance.name.clone());
-            let extras = extras::of_node(&instance.motion, *origin, cast)?;
-            nodes.push(Node { mesh: Some(mesh), name, extras, ..node(instance.world_from_mesh)? });
+            let extras = extras_of(instance, scene)?;
+            let node = Node { mesh: Some(mesh), skin, name, extras, ..Node::default() };
+            nodes.extend(tree.hang_mesh(&mut document, instance, &meshes[instance.mesh], node)?);
         }
     }
     for camera in cameras {
         let index = pieces::add_camera(&mut document, camera)?;
-        nodes.push(Node {
+        nodes.push(document.root.push(Node {
             camera: Some(index),
             name: Some(camera.name.clone()),
             ..node(camera.world_from_camera)?
-        });
+        }));
     }
     for light in lights {
         let extensions = Some(pieces::add_light(&mut document, light)?);
         let extras = extras::of_node(&light.motion, *origin, extras::near(light.near)?)?;
-        nodes.push(Node {
-            extensions,
-            extras,
-            name: Some(light.name.clone()),
-            ..node(light.world_from_light)?
-        });
+        let (on, matrix) = match light.motion {
+            Motion::Node { node, node_from_thing } => (Some(node), node_from_thing),
+            Motion::Still | Motion::Rotation { .. } | Motion::Skin { .. } => (None, light.world_from_light),
+        };
+        let node = Node { extensions, extras, name: Some(light.name.clone()), ..node(matrix)? };
+        nodes.extend(tree.hang(&mut document, on, node)?);
     }
-    let nodes = nodes.into_iter().map(|node| document.root.push(node)).collect();
+    let animations = animations::add(&mut document, rig, &tree)?;
+    let written = |count: usize| animations[..count].iter().flatten().count();
+    let is_written = |playing: &usize| animations.get(*playing).is_some_and(Option::is_some);
+    let playing = extras::playing(rig.playing.filter(is_written).map(written), written(animations.len()));
+    nodes.splice(0..0, tree.close(&mut document));
     let nodes = at_origin(&mut document, nodes, *origin)?;
-    let is_fixed = *origin != DVec3::ZERO || crate::import::would_move(scene);
-    let extras = extras::of_scene(path, *origin, is_fixed, *exposed_for)?;
+    // What moves may be elsewhere when it is read.
+    let is_fixed = *origin != DVec3::ZERO || !rig.nodes.is_empty() || crate::import::would_move(scene);
+    let extras = extras::of_scene(path, *origin, is_fixed, *exposed_for, playing)?;
     let index = document.root.push(JsonScene { name: Some(name.clone()), nodes, extensions: None, extras });
     document.root.scene = Some(index);
-    pack(document)
+    pack(document, animations.into_iter().flatten().collect())
 }
 
-/// A node that stands there. The matrix is written even where it is the identity: its zeros have signs.
-fn node(world_from_node: Mat4) -> Result<Node, Fault> {
-    if !world_from_node.is_finite() {
-        return Err(Fault(format!("a matrix that is not finite, {world_from_node}")));
-    }
-    Ok(Node { matrix: Some(world_from_node.to_cols_array()), ..Node::default() })
+/// What glTF has no words for of an instance.
+fn extras_of(instance: &Instance, scene: &Scene) -> Result<Extras, Fault> {
+    // A dome would cast nothing without a word.
+    let is_unlit = domes::is_unlit(&scene.meshes[instance.mesh], &scene.materials);
+    let cast = if instance.casts && is_unlit {
+        Some(extras::cast_after_all())
+    } else {
+        extras::cast(instance.casts)
+    };
+    extras::of_node(&instance.motion, scene.origin, cast)
 }
 
 /// Hangs nodes on others that together move them to the origin, exactly: glTF readers may keep only f32 of a
@@ -155,9 +170,12 @@ fn as_read(number: f32) -> Result<f64, Fault> {
 }
 
 /// Both chunks, with their headers.
-fn pack(document: Document) -> Result<Vec<u8>, Fault> {
+fn pack(document: Document, animations: Vec<Value>) -> Result<Vec<u8>, Fault> {
     let (root, binary) = document.finish();
-    let json = root.to_vec().map_err(|why| Fault(format!("no JSON for it, {why}")))?;
+    let mut json = root.to_vec().map_err(|why| Fault(format!("no JSON for it, {why}")))?;
+    if !animations.is_empty() && json.pop() == Some(b'}') {
+        json.extend(format!(r#","animations":{}}}"#, Value::from(animations)).into_bytes());
+    }
     // Two headers, and padding.
     let length = json.len() as u64 + binary.len() as u64 + 64;
     if length > u64::from(u32::MAX) {

@@ -7,6 +7,8 @@
 //! - of the node of an instance or a light that rotates: `{"umbrage": {"turn": {"centre": …, "axis": …,
 //!   "radians_per_second": …}}}`
 //! - of the node of an instance, or of a material, whether it casts shadows: `{"umbrage": {"cast": false}}`
+//! - of the scene, the number of the animation that plays, or `"none"`: `{"umbrage": {"playing": 2}}`
+//! - of an animation, when it begins again, seconds, where that is not with its last key: `{"umbrage": {"seconds": 4}}`
 //! - of the node of a lamp, nearer than how many metres nothing casts a shadow: `{"umbrage": {"near": 0.1}}`
 //!
 //! Points and directions are lists of three numbers, in metres of the file: its origin is not the scene's.
@@ -22,17 +24,20 @@ use crate::{CameraPath, Motion, PathKey};
 const KEY: &str = "umbrage";
 const CAST: &str = "cast";
 const NEAR: &str = "near";
+const PLAYING: &str = "playing";
+const SECONDS: &str = "seconds";
 
 /// How far from unit length an axis may be.
 const UNIT_TOLERANCE: f32 = 1e-3;
 
 /// The extras of a scene with this path, with its origin there in the file, and with this illuminance to expose for; they
-/// say where the origin is where `is_fixed`.
+/// say where the origin is where `is_fixed`, and so much beside.
 pub(crate) fn of_scene(
     path: &CameraPath,
     origin: DVec3,
     is_fixed: bool,
     exposed_for: Option<f32>,
+    beside: Option<(&'static str, Value)>,
 ) -> Result<Extras, Fault> {
     let mut members = Vec::new();
     if !path.keys.is_empty() {
@@ -47,12 +52,39 @@ pub(crate) fn of_scene(
     if let Some(lux) = exposed_for {
         members.push(("exposed_for", number(lux.into())?));
     }
+    members.extend(beside);
     extras(members)
+}
+
+/// What extras say of the animation that plays of so many, unless it is the first there is: its number, or that there is
+/// none.
+pub(crate) fn playing(playing: Option<usize>, count: usize) -> Option<(&'static str, Value)> {
+    let first = (count > 0).then_some(0);
+    (playing != first).then(|| (PLAYING, playing.map_or(Value::from("none"), Value::from)))
+}
+
+/// The animation that plays, of so many, as the extras of a scene say; the first where they do not.
+pub(crate) fn playing_of(extras: &Extras, count: usize) -> Result<Option<usize>, Fault> {
+    let Some(said) = value(extras, PLAYING) else {
+        return Ok((count > 0).then_some(0));
+    };
+    let number = || said.as_u64().and_then(|number| usize::try_from(number).ok());
+    match number().filter(|number| *number < count) {
+        Some(number) => Ok(Some(number)),
+        None if said == "none" => Ok(None),
+        None => Err(malformed(PLAYING)),
+    }
+}
+
+/// The extras of an animation that begins again after so many seconds, whenever its last key is.
+pub(crate) fn seconds(seconds: f32) -> Result<Value, Fault> {
+    let inner: Value = [(SECONDS, number(seconds.into())?)].into_iter().collect();
+    Ok([(KEY, inner)].into_iter().collect())
 }
 
 /// The time after which an animation begins again, seconds, in the extras of its JSON; `None` where there is none.
 pub(crate) fn seconds_of(animation: &Value) -> Option<f32> {
-    let seconds = animation.get("extras")?.get(KEY)?.get("seconds")?;
+    let seconds = animation.get("extras")?.get(KEY)?.get(SECONDS)?;
     float(seconds).filter(|seconds| *seconds >= 0.0)
 }
 
@@ -182,7 +214,7 @@ fn number(x: f64) -> Result<Value, Fault> {
         Ok(x.into())
     } else {
         Err(Fault(format!(
-            "{x} in a motion, a path, an origin, an exposure or a near distance, need finite numbers"
+            "{x} in a motion, a path, an origin, an exposure, an animation or a near distance, need finite numbers"
         )))
     }
 }
@@ -288,11 +320,11 @@ mod tests {
         assert!(extras.as_ref().unwrap().get().contains("100000.1"), "{extras:?}");
         assert_eq!(motion_of(&extras, origin).unwrap(), turn);
         let path = CameraPath { keys: vec![PathKey { eye: Vec3::ONE, target: Vec3::NEG_X }] };
-        let extras = of_scene(&path, origin, true, None).unwrap();
+        let extras = of_scene(&path, origin, true, None, None).unwrap();
         assert_eq!(path_of(&extras, origin).unwrap(), path);
         assert_eq!(origin_of(&extras).unwrap(), Some(origin));
         assert!(
-            of_scene(&CameraPath::default(), DVec3::ZERO, false, None).unwrap().is_none(),
+            of_scene(&CameraPath::default(), DVec3::ZERO, false, None, None).unwrap().is_none(),
             "nothing to say"
         );
         let wrong = Some(RawValue::from_string("{\"umbrage\": {\"origin\": 3}}".to_owned()).unwrap());

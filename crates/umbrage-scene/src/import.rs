@@ -28,7 +28,7 @@ use std::fs;
 use std::path::Path;
 
 use self::files::Files;
-pub(crate) use self::gltf::{TRANSMISSION, UNLIT};
+pub(crate) use self::gltf::{TRANSMISSION, UNLIT, VISIBILITY};
 pub(crate) use self::pictures::MAX_SIDE_PX;
 use self::progress::Progress;
 pub use self::progress::Step;

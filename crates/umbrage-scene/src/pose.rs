@@ -126,7 +126,7 @@ impl Stand {
         };
         match (track, place) {
             (Track::Translation(curve), Place::Parts { translation, .. }) => {
-                *translation = curve.at(time).as_dvec3();
+                *translation = curve.at_as(time, |at| at.as_dvec3());
             }
             (Track::Rotation(curve), Place::Parts { rotation, .. }) => *rotation = curve.at(time),
             (Track::Scale(curve), Place::Parts { scale, .. }) => *scale = curve.at(time),
@@ -230,6 +230,8 @@ mod tests {
         rig.animations.push(Animation { name: "0".to_owned(), seconds: 1.0, channels: Vec::new() });
         let found = ["Rise", "0", "1", "2", "", "none"].map(|wanted| rig.find(wanted));
         assert_eq!(found, [Some(0), Some(1), Some(1), None, None, None]);
+        let played = ["1", "NONE", "nobody", "rise"].map(|wanted| (rig.play(wanted), rig.playing));
+        assert_eq!(played, [(true, Some(1)), (true, None), (false, None), (true, Some(0))]);
         assert_eq!(rig.pose_of(None, 1.5).world_from_node(0).w_axis.y, 0.0);
         assert_eq!(rig.pose_of(Some(0), 1.5).world_from_node(0).w_axis.y, 1.5);
     }

@@ -133,8 +133,18 @@ impl Place {
 }
 
 impl Rig {
-    /// Returns the index of the animation that someone means: by its name, whatever case its letters have, or else by its
-    /// number from 0. `None` where there is no such animation.
+    /// Lets the animation play that someone means: by its name, whatever case its letters have, or else by its number from 0,
+    /// or none by the word `none`. Returns whether there is such an animation; if not, the same plays as before.
+    pub fn play(&mut self, wanted: &str) -> bool {
+        match self.find(wanted) {
+            Some(found) => self.playing = Some(found),
+            None if wanted.eq_ignore_ascii_case("none") => self.playing = None,
+            None => return false,
+        }
+        true
+    }
+
+    /// Returns the index of the animation that someone means, as [`Self::play`] does; `None` where there is no such one.
     pub fn find(&self, wanted: &str) -> Option<usize> {
         let is_meant =
             |animation: &Animation| !animation.name.is_empty() && animation.name.eq_ignore_ascii_case(wanted);

@@ -289,10 +289,11 @@ fn what_moves_far_from_the_origin_moves_smoothly() {
         let Imported { scene, warnings } = doc.load().unwrap();
         assert_eq!(warnings, [""; 0], "{nodes}");
         let own = (scene.origin.x - f64::from(far)) as f32;
+        let moving = usize::from(!scene.instances[0].is_dynamic());
         assert!((own - 0.5).abs() <= 0.5, "{nodes}: {own}");
         for millimetre in [0u8, 1, 2, 100] {
             let share = f32::from(millimetre) * 0.001;
-            let x = local(&scene, 0, share).x + own;
+            let x = local(&scene, moving, share).x + own;
             assert!((x - share).abs() < 1e-6, "{nodes}: {x}");
         }
     }
@@ -343,4 +344,20 @@ fn what_shrinks_to_nothing_comes_back() {
     let at = |seconds: f32| scene.instances[0].world_from_mesh_in(&scene.pose(seconds));
     assert!(at(0.0).inverse().is_finite() && at(0.0).x_axis.x < 1e-6, "{}", at(0.0));
     assert_eq!(at(0.5).x_axis.x, 1.0);
+}
+
+#[test]
+fn a_scene_that_is_hidden_at_the_start_is_seen_by_its_camera() {
+    let mut doc = Doc::triangle();
+    let times = scalars(&mut doc, &[0.0, 1.0, 2.0]);
+    let seen = doc.accessor(&[0, 1, 1], "", r#""count": 3, "componentType": 5121, "type": "SCALAR""#);
+    let visible = pointer("/nodes/0/extensions/KHR_node_visibility/visible");
+    animate(&mut doc, &[Channel(&visible, times, seen, "")]);
+    let Imported { scene, warnings } = doc.load().unwrap();
+    assert_eq!(warnings, [""; 0]);
+    assert!(scene.bounds_in(&scene.pose(0.0)).is_empty(), "hidden");
+    let camera = &scene.cameras[0];
+    let seen =
+        camera.world_from_camera.inverse().transform_point3(scene.bounds_in(&scene.pose(1.0)).centre());
+    assert!(-seen.z > camera.near && -seen.z < camera.far && seen.truncate().length() < 1.0, "{seen}");
 }

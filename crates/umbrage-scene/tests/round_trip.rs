@@ -1,5 +1,8 @@
 //! A scene that is written and read again is the same scene, bit for bit.
 
+#[path = "round_trip/rigs.rs"]
+mod rigs;
+
 use std::f32::consts::FRAC_PI_2;
 
 use glam::{Affine2, DVec3, Mat4, Quat, Vec2, Vec3, Vec4};
@@ -235,8 +238,8 @@ fn scene() -> impl Strategy<Value = Scene> {
     });
     let path = vec((point(), point()), 1..6);
     let views = (vec(camera(), 1..3), vec(light(), 1..4), path);
-    (meshes, vec(instance(), 1..6), colours, vec(picture, 0..3), views).prop_map(
-        |(meshes, instances, colours, textures, (cameras, lights, path))| Scene {
+    (meshes, vec(instance(), 1..6), colours, vec(picture, 0..3), views)
+        .prop_map(|(meshes, instances, colours, textures, (cameras, lights, path))| Scene {
             exposed_for: (lights.len() > 1).then_some(0.1),
             name: "random".to_owned(),
             meshes,
@@ -251,8 +254,10 @@ fn scene() -> impl Strategy<Value = Scene> {
             rig: Rig::default(),
             environment: None,
             origin: DVec3::ZERO,
-        },
-    )
+        })
+        .prop_filter("something has a size", |scene| {
+            scene.bounds_in(&scene.pose(0.0)).size().max_element() > 1e-6
+        })
 }
 
 proptest! {

@@ -2,7 +2,7 @@
 
 use umbrage::Settings;
 use umbrage_render::Picture;
-use umbrage_scene::{Camera, Light, Scene};
+use umbrage_scene::{Camera, Light, Pose, Scene};
 
 use crate::edit;
 use crate::load::Source;
@@ -20,19 +20,19 @@ pub fn save_picture(picture: &Picture) -> Result<String, String> {
     save("umbrage", "png", &png(picture)?)
 }
 
-/// Saves an experiment of what the view shows, and a copy of the world where its name does not say enough. Returns where the
-/// experiment is.
+/// Saves an experiment of what the view shows, and a copy of the world where its name does not say enough: experiments are of
+/// the start of time, so at any other the copy is a world that stands still as it does then. Returns where the experiment
+/// is.
 ///
 /// # Errors
-/// When the animation has begun, since experiments are of its start, or a file cannot be written.
+/// When a file cannot be written.
 pub fn save_experiment(world: &World, view: &ViewState) -> Result<String, String> {
-    if view.seconds != 0.0 {
-        return Err("experiments are of the start of time: set the time to 0 s first".to_owned());
-    }
+    let is_at_start = view.seconds == 0.0 && view.animation == world.scene.rig.playing;
     let (camera, lights) = (view.camera(), view.lights(&world.scene));
     let experiment = Experiment {
         world: world.source.name(),
         scene: &world.scene,
+        pose: (!is_at_start).then(|| view.pose(&world.scene)),
         camera: &camera,
         lights: &lights,
         settings: view.edited_settings(),
@@ -81,6 +81,8 @@ struct Experiment<'a> {
     /// The world's name, or the path that it came from.
     world: &'a str,
     scene: &'a Scene,
+    /// How the world stands, where that is not as it is at the start of time.
+    pose: Option<Pose>,
     camera: &'a Camera,
     lights: &'a [Light],
     settings: &'a Settings,
@@ -90,8 +92,11 @@ struct Experiment<'a> {
 
 impl Experiment<'_> {
     /// The name of the world's camera that this one is but for rounding; `None` where it is none of them, or the lights are
-    /// not the world's.
+    /// not the world's, or it has moved.
     fn camera_name(&self) -> Option<&str> {
+        if self.pose.is_some() {
+            return None;
+        }
         let Camera { world_from_camera, lens, near, far, .. } = self.camera;
         let is_same = |other: &&Camera| {
             let is_there = other.world_from_camera.abs_diff_eq(*world_from_camera, 1e-4);
@@ -106,6 +111,7 @@ impl Experiment<'_> {
         let camera = Camera { name: CAMERA.to_owned(), ..self.camera.clone() };
         let cameras = std::iter::once(camera).chain(self.scene.cameras.iter().cloned()).collect();
         let scene = Scene { cameras, lights: self.lights.to_vec(), ..self.scene.clone() };
+        let scene = self.pose.as_ref().map_or_else(|| scene.clone(), |pose| scene.baked(pose));
         umbrage_scene::to_glb(&scene).map_err(|why| why.to_string())
     }
 
@@ -146,6 +152,7 @@ mod tests {
             let experiment = Experiment {
                 world: "primitives",
                 scene: &scene,
+                pose: None,
                 camera: &camera,
                 lights: &scene.lights,
                 settings: &settings,
@@ -170,6 +177,7 @@ mod tests {
         let experiment = Experiment {
             world: "primitives",
             scene: &scene,
+            pose: None,
             camera: &camera,
             lights: &scene.lights,
             settings: &Settings::default(),
@@ -179,6 +187,30 @@ mod tests {
         let bytes = experiment.world_file().expect("a file");
         let read = umbrage_scene::load_glb_bytes(&bytes, "experiment").expect("a world").scene;
         assert_eq!((read.cameras[0].name.as_str(), read.triangles()), ("viewer", scene.triangles()));
+    }
+
+    #[test]
+    fn a_world_that_has_moved_goes_along_as_it_stands() {
+        let mut scene = umbrage_scene::worlds::build("night-chessboard", 0).expect("a built-in world");
+        let axis = glam::Vec3::Y;
+        scene.instances[0].motion =
+            umbrage_scene::Motion::Rotation { centre: glam::Vec3::ZERO, axis, radians_per_second: 1.0 };
+        let pose = scene.pose(1.5);
+        let want = scene.instances[0].world_from_mesh_in(&pose);
+        let (camera, lights) = (scene.cameras[0].clone(), scene.lights.clone());
+        let experiment = Experiment {
+            world: "night-chessboard",
+            scene: &scene,
+            pose: Some(pose),
+            camera: &camera,
+            lights: &lights,
+            settings: &Settings::default(),
+            size: [64, 64],
+        };
+        assert_eq!(experiment.camera_name(), None);
+        let bytes = experiment.world_file().expect("a file");
+        let read = umbrage_scene::load_glb_bytes(&bytes, "experiment").expect("a world").scene;
+        assert_eq!(read.instances[0].world_from_mesh_in(&read.pose(9.0)), want, "it stands still");
     }
 
     #[test]

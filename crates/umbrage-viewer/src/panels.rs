@@ -8,6 +8,7 @@ pub mod settings;
 pub(crate) mod messages;
 pub(crate) mod picture;
 
+mod animation;
 mod maps;
 mod method;
 mod split_plot;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use umbrage::Settings;
 use umbrage_render::{Exposure, Frame, MapLook, Mark, RenderError, Show};
-use umbrage_scene::{Camera, Light, LightKind, Scene, Shining};
+use umbrage_scene::{Camera, Light, LightKind, Pose, Scene, Shining};
 
 use crate::flight::Flight;
 use crate::lines::PlanLines;
@@ -60,6 +60,8 @@ pub struct ViewState {
     pub hour: Option<f32>,
     /// Time of the animation, seconds from its start.
     pub seconds: f32,
+    /// The index of the world's animation that is shown; absent where everything stands as it is at rest.
+    pub animation: Option<usize>,
     /// Whether time goes on.
     pub playing: bool,
     /// The camera's position on the world's path; absent where it flies freely.
@@ -104,6 +106,7 @@ impl ViewState {
             map_look: MapLook { stretch: true, ..MapLook::default() },
             hour: None,
             seconds: 0.0,
+            animation: scene.rig.playing,
             playing: false,
             path: None,
             multisampled: true,
@@ -121,7 +124,16 @@ impl ViewState {
         let flight = self.flight.moved_to(flight_at(scene, None));
         // What one world's light is exposed for is night or noon in another.
         let exposure = Exposure { lux: None, ..self.exposure };
-        Self { flight, exposure, frozen_camera: None, hour: None, seconds: 0.0, path: None, ..self.clone() }
+        Self {
+            flight,
+            exposure,
+            frozen_camera: None,
+            hour: None,
+            seconds: 0.0,
+            animation: scene.rig.playing,
+            path: None,
+            ..self.clone()
+        }
     }
 
     /// Moves to a camera of the scene, and leaves the path.
@@ -140,9 +152,14 @@ impl ViewState {
         &self.settings[self.edited]
     }
 
+    /// Returns how the world stands at the time that is shown.
+    pub fn pose(&self, scene: &Scene) -> Pose {
+        scene.rig.pose_of(self.animation, self.seconds)
+    }
+
     /// Returns which of the world's lights shine, at most [`umbrage::MAX_LIGHTS`], and what is to be said about the others.
     pub fn shining(&self, scene: &Scene) -> Shining {
-        Shining::choose(&scene.lights, &self.camera(), &scene.pose(self.seconds), umbrage::MAX_LIGHTS)
+        Shining::choose(&scene.lights, &self.camera(), &self.pose(scene), umbrage::MAX_LIGHTS)
     }
 
     /// Returns the lights that shine, with the sun where the chosen hour puts it.
@@ -176,13 +193,8 @@ impl ViewState {
     /// When a camera or a light cannot be one of the renderer's.
     pub fn frame(&self, scene: &Scene, [width, height]: [u32; 2]) -> Result<Frame, RenderError> {
         let lights = self.lights(scene);
-        let frame = Frame::of(
-            &self.camera(),
-            &lights,
-            &Arc::new(scene.pose(self.seconds)),
-            [width, height],
-            Show::World,
-        )?;
+        let frame =
+            Frame::of(&self.camera(), &lights, &Arc::new(self.pose(scene)), [width, height], Show::World)?;
         let frozen = self.frozen_camera.as_ref();
         let planned_for =
             frozen.map(|camera| umbrage_render::camera(camera, width as f32 / height as f32)).transpose()?;

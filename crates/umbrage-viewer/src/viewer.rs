@@ -163,6 +163,11 @@ impl Viewer {
         self.tasks.is_loading()
     }
 
+    /// Returns what is being loaded and how far it is, in words for people; `None` where nothing is.
+    pub fn loading(&self) -> Option<String> {
+        self.tasks.loading()
+    }
+
     /// Returns whether no world is being loaded and no ray is traced.
     pub fn is_at_rest(&self) -> bool {
         !self.is_loading() && !self.is_tracing()

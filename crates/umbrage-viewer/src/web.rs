@@ -102,8 +102,9 @@ impl eframe::App for Page {
     }
 }
 
-/// Sets the page's global `umbrage` for scripts: world, settings, whether the viewer is at rest, messages, figures of the
-/// comparison with ground truth; and the widgets' rectangles, where the page's address has `probe`.
+/// Sets the page's global `umbrage` for scripts: world, settings, whether the viewer is at rest, what is loaded and how
+/// far it is, messages, figures of the comparison with ground truth; and the widgets' rectangles, where the page's address
+/// has `probe`.
 fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let state = js_sys::Object::new();
     let set = |key: &str, value: JsValue| {
@@ -112,6 +113,9 @@ fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     };
     set("world", viewer.world_name().into());
     set("atRest", viewer.is_at_rest().into());
+    if let Some(loading) = viewer.loading() {
+        set("loading", loading.into());
+    }
     let messages: js_sys::Array =
         viewer.messages().iter().map(|message| JsValue::from_str(message)).collect();
     set("messages", messages.into());

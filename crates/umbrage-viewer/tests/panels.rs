@@ -3,12 +3,17 @@
 //! References are drawn by lavapipe, in `tests/snapshots`. `UPDATE_SNAPSHOTS=1 cargo test -p umbrage-viewer --test panels`
 //! draws them anew: look at them before you keep them.
 
+use std::sync::Arc;
+
 use eframe::egui::{self, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use glam::Vec3;
 use umbrage::schema::{self, Values};
 use umbrage::{Contact, Filter, Settings, Shade, Warp};
 use umbrage_render::Exposure;
+use umbrage_scene::rig::{Animation, Channel, Node, Place, Rig, Track};
+use umbrage_scene::{Curve, Keys};
 use umbrage_viewer::load::Source;
 use umbrage_viewer::panels::settings::{self as settings_panel, Refused};
 use umbrage_viewer::view_state::PathPosition;
@@ -114,7 +119,11 @@ fn every_choice_says_what_it_does_and_every_number_its_range() {
 
 /// The whole program with a world in it, without a window.
 fn whole(world: &str) -> Harness<'static, Viewer> {
-    let start = Start::new(Source::Named(world.to_owned()), Settings::default());
+    with(world, Start::new(Source::Named(world.to_owned()), Settings::default()))
+}
+
+/// The whole program as it begins with this.
+fn with(world: &str, start: Start) -> Harness<'static, Viewer> {
     let mut harness = Harness::builder()
         .with_size(Vec2::new(1100.0, 1400.0))
         .with_max_steps(16)
@@ -189,4 +198,58 @@ fn exposure_stays_where_it_is_put_and_starts_from_what_the_world_asks_for() {
     harness.get_by_label("automatic exposure").click();
     harness.run_steps(4);
     assert_eq!(view(&mut harness).exposure.lux, None);
+}
+
+/// Two animations that move nothing but one node, of 4 s and of 3 s.
+fn animated() -> Start {
+    let mut scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+    let animation = |name: &str, seconds: f32| {
+        let up = Curve::new(vec![0.0, seconds], Keys::Linear(vec![Vec3::ZERO, Vec3::Y])).expect("a curve");
+        let channels = vec![Channel { node: 0, track: Track::Translation(up) }];
+        Animation { name: name.to_owned(), seconds, channels }
+    };
+    scene.rig = Rig {
+        nodes: vec![Node {
+            name: "lift".to_owned(),
+            parent: None,
+            rest: Place::HERE,
+            visible: true,
+            weights: Vec::new(),
+        }],
+        skins: Vec::new(),
+        animations: vec![animation("rise", 4.0), animation("", 3.0)],
+        playing: Some(0),
+    };
+    let source = Source::Named("primitives".to_owned());
+    Start { scene: Some(Arc::new(scene)), seconds: 1.0, ..Start::new(source, Settings::default()) }
+}
+
+#[test]
+fn an_animation_is_chosen_played_and_held_where_it_is_put() {
+    let mut harness = with("primitives", animated());
+    let view = |harness: &mut Harness<'_, Viewer>| harness.state_mut().view().expect("a world").clone();
+    assert_eq!((view(&mut harness).animation, view(&mut harness).seconds), (Some(0), 1.0));
+    for (item, chosen) in [("animation 1", Some(1)), ("none", None), ("rise", Some(0))] {
+        let is_menu =
+            |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == egui::accesskit::Role::ComboBox;
+        harness.get_all_by_label("animation").find(is_menu).expect("a menu").click();
+        harness.run_steps(4);
+        harness.get_all_by_label(item).last().expect("an item").click();
+        harness.run_steps(4);
+        assert_eq!((view(&mut harness).animation, view(&mut harness).seconds), (chosen, 0.0), "{item}");
+    }
+    harness.get_by_label("animate").click();
+    harness.run_steps(6);
+    assert!(view(&mut harness).playing && view(&mut harness).seconds > 0.0, "it plays");
+    let is_slider =
+        |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == egui::accesskit::Role::Slider;
+    let slider = |harness: &Harness<'_, Viewer>| {
+        let node = harness.get_all_by_label("along it").find(is_slider).expect("a slider");
+        node.focus();
+        node.set_value_accesskit(2.5);
+    };
+    slider(&harness);
+    harness.run_steps(4);
+    let held = view(&mut harness);
+    assert!(!held.playing && (held.seconds - 2.5).abs() < 1e-3, "held at {} s", held.seconds);
 }

@@ -86,6 +86,8 @@ struct UmbrageFrame {
     darkness: f32,
     /// The colour that a shadow lays over the picture, and how much of the picture it covers.
     shadow_colour: vec4f,
+    /// In which order texels of 32² are drawn as coverage grows: 8 bits each, row by row.
+    levels: array<array<vec4u, 2>, 32>,
     lights: array<UmbrageLight, 16>,
     views: array<UmbrageView>,
 }

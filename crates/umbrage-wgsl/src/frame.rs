@@ -6,6 +6,7 @@ use umbrage_core::{
     Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan, ShadowView, TransparentCasters,
 };
 
+use crate::levels::{Levels, levels};
 use crate::shared::shared_with_shaders;
 
 shared_with_shaders! {
@@ -62,6 +63,7 @@ shared_with_shaders! {
         shade: u32,
         darkness: f32,
         shadow_colour: Vec4,
+        levels: Levels,
         lights: [FrameLight; MAX_LIGHTS],
         #[shader(size(runtime))]
         views: Vec<View>,
@@ -146,6 +148,7 @@ fn frame(plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings, mu
         shade,
         darkness,
         shadow_colour: Vec4::from_array(shadow_colour),
+        levels: levels(),
         lights,
         views,
     }

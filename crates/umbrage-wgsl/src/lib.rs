@@ -28,6 +28,7 @@ mod error;
 mod format;
 mod frame;
 mod key;
+mod levels;
 mod link;
 mod modules;
 mod shared;
@@ -40,6 +41,7 @@ pub use error::ImportError;
 pub use format::{MomentFormat, TexelFormat, TextureSupport};
 pub use frame::{FrameBytes, Surroundings};
 pub use key::ShaderKey;
+pub use levels::lattice_level;
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
     caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings, map, peel, peel_bindings,

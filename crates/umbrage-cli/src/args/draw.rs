@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::parse::{area_degrees, size};
-use super::{AdapterArgs, CastArgs, LookArgs, PlaceArgs, ShadowArgs, WorldArgs};
+use super::{AdapterArgs, CastArgs, LookArgs, PlaceArgs, ShadowArgs, TimeArgs, WorldArgs};
 
 #[derive(Debug, Args)]
 pub struct DemoArgs {
@@ -32,9 +32,8 @@ pub struct ViewArgs {
     pub world: String,
     #[command(flatten)]
     pub place: PlaceArgs,
-    /// When, for things that move, seconds
-    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
-    pub time: f32,
+    #[command(flatten)]
+    pub when: TimeArgs,
     /// Size of the window, points; 1280x800
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
@@ -99,6 +98,8 @@ pub struct SheetArgs {
     /// Size of each picture, pixels; 320x240
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
+    #[command(flatten)]
+    pub when: TimeArgs,
     /// Pictures a row
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=64))]
     pub across: u32,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
-use super::{ShadowArgs, WorldArgs};
+use super::{ShadowArgs, TimeArgs, WorldArgs};
 use crate::stages::{Stage, Textures};
 
 #[derive(Debug, Args)]
@@ -57,6 +57,11 @@ pub enum WorldsCommand {
         /// What a built-in world is grown from
         #[arg(long, default_value_t = 0)]
         seed: u64,
+        #[command(flatten)]
+        when: TimeArgs,
+        /// Write everything as it stands at that time, and nothing that moves
+        #[arg(long)]
+        bake: bool,
     },
 }
 

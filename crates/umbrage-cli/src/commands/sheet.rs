@@ -11,10 +11,10 @@ use umbrage_lab::{Shot, files};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
 use umbrage_scene::{Imported, Shining};
 
-use crate::args::SheetArgs;
+use crate::args::{SheetArgs, TimeArgs};
 use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
-use crate::{output, progress};
+use crate::{output, progress, world};
 
 /// White around tiles, pixels.
 const GAP: u32 = 8;
@@ -36,7 +36,7 @@ pub fn run(args: &SheetArgs) -> Outcome {
     let bar = progress::bar(args.files.len() as u64, "drawing");
     let mut tiles = Vec::new();
     for file in &args.files {
-        let picture = draw(&gpu, file, size).map_err(|why| why.to_string());
+        let picture = draw(&gpu, file, &args.when, size).map_err(|why| why.to_string());
         if let Err(why) = &picture {
             eprintln!("warning: not drawn, {why}");
         }
@@ -59,13 +59,14 @@ pub fn run(args: &SheetArgs) -> Outcome {
 }
 
 /// A picture from a file's first camera, under its lights, or as many as shine at once.
-fn draw(gpu: &Gpu, file: &str, (width, height): (u32, u32)) -> Outcome<RgbaImage> {
-    let Imported { scene, warnings } = files::load_world(file, 0)?;
+fn draw(gpu: &Gpu, file: &str, when: &TimeArgs, (width, height): (u32, u32)) -> Outcome<RgbaImage> {
+    let Imported { mut scene, warnings } = files::load_world(file, 0)?;
     for warning in warnings {
         eprintln!("warning: {warning}: {file}");
     }
     let camera = scene.cameras.first().cloned().ok_or_else(|| Failure::usage("there is no camera"))?;
-    let pose = Arc::new(scene.pose(0.0));
+    world::play(&mut scene, when)?;
+    let pose = Arc::new(world::pose(&scene, when)?);
     let Shining { lights, warnings } = Shining::choose(&scene.lights, &camera, &pose, umbrage::MAX_LIGHTS);
     for warning in warnings {
         eprintln!("warning: {warning}: {file}");

@@ -18,6 +18,7 @@ pub fn run(args: &ViewArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let mut scene = world::load(&args.world, 0)?;
     world::let_cast(&mut scene, &args.casting)?;
+    world::play(&mut scene, &args.when)?;
     scene.environment = world::environment(&args.look)?;
     let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
     if !native::has_display() {
@@ -25,7 +26,7 @@ pub fn run(args: &ViewArgs) -> Outcome {
     }
     let start = Start {
         camera: Some(camera),
-        seconds: args.time,
+        seconds: args.when.time,
         exposure: args.look.exposure(),
         haze: !args.look.no_haze,
         ..of_scene(&args.world, scene, settings)
@@ -59,7 +60,7 @@ fn of_scene(name: &str, scene: Scene, settings: Settings) -> Start {
 
 /// What is seen, as the other commands ask for it.
 fn seen(args: &ViewArgs) -> WorldArgs {
-    let ViewArgs { world, place, time, size: _, look: _, casting, shadows: _, adapter: _, bench: _ } = args;
+    let ViewArgs { world, place, when, size: _, look: _, casting, shadows: _, adapter: _, bench: _ } = args;
     WorldArgs {
         world: world.clone(),
         place: place.clone(),
@@ -71,7 +72,7 @@ fn seen(args: &ViewArgs) -> WorldArgs {
         near_light: None,
         casting: casting.clone(),
         size: None,
-        time: *time,
+        when: when.clone(),
         seed: 0,
     }
 }

@@ -10,8 +10,12 @@ use crate::{pages, world};
 
 pub fn run(args: &WorldsArgs) -> Outcome {
     match &args.command {
-        Some(WorldsCommand::Export { world, output, seed }) => {
-            files::write(output, &umbrage_scene::to_glb(&world::load(world, *seed)?)?)?;
+        Some(WorldsCommand::Export { world, output, seed, when, bake }) => {
+            let mut scene = world::load(world, *seed)?;
+            world::play(&mut scene, when)?;
+            let pose = world::pose(&scene, when)?;
+            let scene = if *bake { scene.baked(&pose) } else { scene };
+            files::write(output, &umbrage_scene::to_glb(&scene)?)?;
         }
         None if args.markdown => print(&pages::worlds::markdown())?,
         None => {

@@ -53,6 +53,9 @@ fn chapter(world: &World, scene: &Scene) -> String {
         summary[..1].to_uppercase(),
         &summary[1..]
     );
+    for animation in &scene.rig.animations {
+        text += &format!("Animation `{}`: {} s.\n\n", animation.name, metres(animation.seconds));
+    }
     text += "| camera | number | eye, metres | sees from | to, metres |\n|---|---:|---|---:|---:|\n";
     for (number, camera) in scene.cameras.iter().enumerate() {
         let eye = camera.eye().to_array().map(metres).join(", ");

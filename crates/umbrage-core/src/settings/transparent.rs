@@ -34,7 +34,7 @@ pub(super) const TRANSPARENT_CASTERS: Key = Key {
             name: "dither",
             label: "dither",
             help: "In as many texels as they cover: what lies behind one another lets through the product.",
-            source: "Enderton et al. 2010, stochastic transparency, with an ordered pattern",
+            source: "Enderton et al. 2010, stochastic transparency; Ulichney 1993",
         },
         Choice { name: "solid", label: "solid", help: "Wherever they cover anything.", source: "" },
         Choice { name: "none", label: "none", help: "Only where they cover fully.", source: "" },

@@ -21,23 +21,27 @@ pub(crate) struct AlphaPicture {
 }
 
 impl AlphaPicture {
-    /// The alpha at a place: what it may be at the least, what it is, and what it may be at the most. `largest` is the
-    /// largest coordinate of the triangle's corners.
-    pub fn sample(&self, [u, v]: [f64; 2], largest: f64) -> [f64; 3] {
-        let place = |along: f64, size: u32| along * f64::from(size) - 0.5;
-        let (x, y) = (place(u, self.width), place(v, self.height));
-        let value = self.between(x, y);
+    /// The alpha at a place.
+    pub fn value(&self, [u, v]: [f64; 2]) -> f64 {
+        let (x, y) = self.place(u, v);
+        self.between(x, y)
+    }
+
+    /// The least and the most that a filter may make of the alpha at a place. `largest` is the largest coordinate of the
+    /// triangle's corners.
+    pub fn drawn(&self, [u, v]: [f64; 2], largest: f64) -> [f64; 2] {
         let reach = |size: u32| WEIGHT_STEP + MOVED * largest * f64::from(size);
         let reaches = [reach(self.width), reach(self.height)];
         if reaches.iter().any(|reach| *reach > 0.5) {
-            return [0.0, value, 1.0];
+            return [0.0, 1.0];
         }
         // Between lines of pixels' centres it is bilinear: the extremes lie on them, or at the ends.
         let ends = |at: f64, reach: f64| {
             let (low, high) = (at - reach, at + reach);
             [low, low.ceil().min(high), high]
         };
-        let (mut least, mut most) = (value, value);
+        let (x, y) = self.place(u, v);
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for y in ends(y, reaches[1]) {
             for x in ends(x, reaches[0]) {
                 let alpha = self.between(x, y);
@@ -45,9 +49,14 @@ impl AlphaPicture {
             }
         }
         if least == most {
-            return [value; 3];
+            return [least, most];
         }
-        [(least - FILTERED_STEP).max(0.0), value, (most + FILTERED_STEP).min(1.0)]
+        [(least - FILTERED_STEP).max(0.0), (most + FILTERED_STEP).min(1.0)]
+    }
+
+    /// A place in pixels from the first one's centre.
+    fn place(&self, u: f64, v: f64) -> (f64, f64) {
+        (u * f64::from(self.width) - 0.5, v * f64::from(self.height) - 0.5)
     }
 
     /// The bilinear alpha at a place, given in pixels from the first one's centre.
@@ -77,7 +86,7 @@ mod tests {
     }
 
     fn at(u: f64, v: f64) -> f64 {
-        picture().sample([u, v], 1.0)[1]
+        picture().value([u, v])
     }
 
     #[test]
@@ -99,17 +108,15 @@ mod tests {
 
     #[test]
     fn what_filters_can_make_of_it_is_bounded() {
-        let [least, value, most] = picture().sample([0.5, 0.25], 1.0);
-        assert_eq!(value, 0.5);
-        // A step of 1/256 pixel, and two of 1/255, each way; one more step down the picture changes nothing there.
+        let [least, most] = picture().drawn([0.5, 0.25], 1.0);
+        // A step of 1/256 pixel, and two of 1/255, each way; a step down the picture changes nothing there.
         let reach = WEIGHT_STEP + FILTERED_STEP;
         assert!(
             (least - (0.5 - reach)).abs() < 2e-3 && (most - (0.5 + reach)).abs() < 2e-3,
             "{least} {most}"
         );
         let flat = AlphaPicture { width: 1, height: 1, alpha: vec![51] };
-        assert_eq!(flat.sample([0.3, -7.0], 9.0), [0.2; 3]);
-        assert_eq!(picture().sample([1e9, 0.0], 1e9)[0], 0.0, "f32 does not know where that is");
-        assert_eq!(picture().sample([1e9, 0.0], 1e9)[2], 1.0);
+        assert_eq!((flat.value([0.3, -7.0]), flat.drawn([0.3, -7.0], 9.0)), (0.2, [0.2; 2]));
+        assert_eq!(picture().drawn([1e9, 0.0], 1e9), [0.0, 1.0], "f32 does not know where that is");
     }
 }

@@ -16,8 +16,9 @@ pub(crate) struct Casters {
     first: Pipelines,
     /// The same for views that clip casters at their near plane, where the others flatten them onto it.
     clipping: Option<Pipelines>,
-    /// The same for the second surface that the light meets, where there is one.
+    /// The same for the second surface that the light meets, where there is one: flattening, and clipping.
     second: Option<Pipelines>,
+    clipping_second: Option<Pipelines>,
     /// Group 1 of all.
     instances: wgpu::BindGroup,
 }
@@ -47,6 +48,9 @@ impl Casters {
             second: pipelines(&second_caster_wgsl(0), &|caster| {
                 shadows.second_caster_pipeline(device, caster)
             }),
+            clipping_second: pipelines(&second_caster_wgsl(0), &|caster| {
+                shadows.clipping_second_caster_pipeline(device, caster)
+            }),
             instances,
         }
     }
@@ -69,7 +73,8 @@ impl Casters {
         let pipelines = match surface {
             Surface::First if view.unclipped_depth => Some(&self.first),
             Surface::First => self.clipping.as_ref().or(Some(&self.first)),
-            Surface::Second => self.second.as_ref(),
+            Surface::Second if view.unclipped_depth => self.second.as_ref(),
+            Surface::Second => self.clipping_second.as_ref().or(self.second.as_ref()),
         };
         let Some(pipelines) = pipelines else { return };
         pass.set_bind_group(1, &self.instances, &[]);

@@ -27,7 +27,7 @@ pub fn bent(scene: &Scene, instance: &Instance, pose: &Pose) -> Vec<(DVec3, DVec
             position = (blended * position.extend(1.0)).truncate();
             normal = DMat3::from_mat4(blended).inverse().transpose() * normal;
         }
-        (position, normal.normalize())
+        (position, normal.normalize_or_zero())
     };
     (0..mesh.positions.len()).map(vertex).collect()
 }

@@ -66,8 +66,26 @@ impl Document {
         kind: Type,
         rows: impl Iterator<Item = [f32; N]>,
     ) -> Index<Accessor> {
+        self.rows(kind, rows, Some(Target::ArrayBuffer))
+    }
+
+    /// The same of what is no attribute of vertices.
+    pub fn unbound_floats<const N: usize>(
+        &mut self,
+        kind: Type,
+        rows: impl Iterator<Item = [f32; N]>,
+    ) -> Index<Accessor> {
+        self.rows(kind, rows, None)
+    }
+
+    fn rows<const N: usize>(
+        &mut self,
+        kind: Type,
+        rows: impl Iterator<Item = [f32; N]>,
+        target: Option<Target>,
+    ) -> Index<Accessor> {
         let before = self.bytes.len().next_multiple_of(4);
-        let view = self.view(rows.flatten().flat_map(f32::to_le_bytes), Some(Target::ArrayBuffer));
+        let view = self.view(rows.flatten().flat_map(f32::to_le_bytes), target);
         let count = (self.bytes.len() - before) / (4 * N);
         self.accessor(view, 0, count, ComponentType::F32, kind)
     }
@@ -95,6 +113,13 @@ impl Document {
             extensions: None,
             extras: None,
         })
+    }
+
+    /// Declares the range of an accessor's numbers, as times of keys must.
+    pub fn set_range(&mut self, index: Index<Accessor>, min: f32, max: f32) {
+        let accessor = &mut self.root.accessors[index.value()];
+        accessor.min = Some(Value::from(vec![min]));
+        accessor.max = Some(Value::from(vec![max]));
     }
 
     /// Declares the extent of an accessor's rows, as positions must.

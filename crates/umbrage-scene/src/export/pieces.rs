@@ -14,6 +14,7 @@ use gltf::json::{Camera as JsonCamera, Image, Index, Mesh as JsonMesh};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _};
 
+use super::bending;
 use super::bytes::Document;
 use crate::error::Fault;
 use crate::import::MAX_SIDE_PX;
@@ -91,6 +92,9 @@ pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<Jso
         let colours = document.floats(Type::Vec4, colours.iter().map(Vec4::to_array));
         attributes.insert(Valid(Semantic::Colors(0)), colours);
     }
+    let bent = |Fault(why): Fault| Fault(format!("{why}, in mesh {name:?}"));
+    attributes.extend(bending::influences(document, mesh).map_err(bent)?);
+    let targets = bending::targets(document, mesh).map_err(bent)?;
     let view = document.view(indices.iter().flat_map(|i| i.to_le_bytes()), Some(Target::ElementArrayBuffer));
     let mut primitives = Vec::with_capacity(parts.len());
     for Part { indices: range, material, bounds: _ } in parts {
@@ -107,7 +111,7 @@ pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<Jso
             indices: Some(document.accessor(view, start, count, ComponentType::U32, Type::Scalar)),
             material: Some(Index::new(*material as u32)),
             mode: Valid(Mode::Triangles),
-            targets: None,
+            targets: targets.clone(),
             extensions: None,
             extras: None,
         });

@@ -8,11 +8,11 @@ pub(super) struct Budget {
     vertices: usize,
     corners: usize,
     pixels: usize,
-    unpacked: usize,
     instances: usize,
     influences: usize,
     displacements: usize,
     keys: usize,
+    unpacked: usize,
     is_overdrawn: bool,
 }
 
@@ -23,9 +23,6 @@ impl Budget {
     pub const CORNERS: usize = 1 << 26;
     /// Pixels of all textures together: one of 16384 by 16384, a gibibyte.
     pub const PIXELS: usize = 1 << 28;
-
-    /// Bytes of all that is decompressed: a gibibyte, which is as much as the vertices need.
-    pub const UNPACKED: usize = 1 << 30;
     /// Instances in all that nodes make of themselves, by `EXT_mesh_gpu_instancing`: half a gibibyte.
     pub const INSTANCES: usize = 1 << 20;
     /// Joints of vertices in all, those that count for nothing included: 16 million vertices with four each.
@@ -34,17 +31,19 @@ impl Budget {
     pub const DISPLACEMENTS: usize = 1 << 25;
     /// Numbers in the keys of all animations, times included: a quarter of a gibibyte.
     pub const KEYS: usize = 1 << 26;
+    /// Bytes of all that is decompressed: a gibibyte, which is as much as the vertices need.
+    pub const UNPACKED: usize = 1 << 30;
 
     pub fn new() -> Self {
         Self {
             vertices: Self::VERTICES,
             corners: Self::CORNERS,
             pixels: Self::PIXELS,
-            unpacked: Self::UNPACKED,
             instances: Self::INSTANCES,
             influences: Self::INFLUENCES,
             displacements: Self::DISPLACEMENTS,
             keys: Self::KEYS,
+            unpacked: Self::UNPACKED,
             is_overdrawn: false,
         }
     }

@@ -31,7 +31,7 @@ pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), F
     if scene.instances.is_empty() {
         return Err(Fault("no triangles in the scene".to_owned()));
     }
-    let bounds = scene.bounds_in(&scene.pose(0.0));
+    let bounds = bounds(scene);
     let size = 2.0 * radius(bounds);
     if size.is_nan() || size < SMALLEST {
         return Err(Fault(format!(
@@ -67,15 +67,29 @@ pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), F
     Ok(())
 }
 
+/// The box around everything at time 0; where all is hidden then, around all that will be seen.
+fn bounds(scene: &Scene) -> Aabb {
+    let seen = scene.bounds_in(&scene.pose(0.0));
+    if !seen.is_empty() {
+        return seen;
+    }
+    let of = |of: &Instance| scene.meshes[of.mesh].bounds.transformed(&of.world_from_mesh);
+    scene.instances.iter().map(of).fold(Aabb::EMPTY, Aabb::union)
+}
+
 /// The box around everything but what stands far from most, at time 0; `all` where nothing does.
 fn most(scene: &Scene, all: Aabb) -> Aabb {
-    let of = |instance: &Instance| {
-        let parts = &scene.meshes[instance.mesh].parts;
-        parts.iter().map(|part| part.bounds.transformed(&instance.world_from_mesh)).collect::<Vec<_>>()
+    let of = |(instance, whole): (&Instance, Aabb)| {
+        let mesh = &scene.meshes[instance.mesh];
+        if instance.is_deformed(mesh) {
+            return vec![whole];
+        }
+        mesh.parts.iter().map(|part| part.bounds.transformed(&instance.world_from_mesh)).collect()
     };
-    let boxes: Vec<Extent> = scene.instances.iter().flat_map(of).map(Extent::of).collect();
+    let pose = scene.pose(0.0);
+    let boxes: Vec<Extent> = scene.boxes_in(&pose).flat_map(of).map(Extent::of).collect();
     let most = extent::around_most(&boxes);
-    let is_all = most == extent::around(&boxes);
+    let is_all = boxes.is_empty() || most == extent::around(&boxes);
     if is_all { all } else { Aabb { min: most.min.as_vec3(), max: most.max.as_vec3() } }
 }
 

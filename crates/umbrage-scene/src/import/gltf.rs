@@ -6,6 +6,7 @@ mod animations;
 mod bent;
 mod chunks;
 mod concerns;
+mod contents;
 mod copies;
 mod document;
 mod extensions;
@@ -31,9 +32,10 @@ mod visibility;
 use gltf::json::Root;
 
 pub(crate) use self::materials::{TRANSMISSION, UNLIT};
+pub(crate) use self::visibility::VISIBILITY;
 
 use self::accessors::{Bytes, Data};
-use self::place::Contents;
+use self::contents::Contents;
 use super::budget::Budget;
 use super::files::Files;
 use super::progress::Progress;
@@ -42,12 +44,6 @@ use super::warnings::Warnings;
 use super::{recentre, settle};
 use crate::Scene;
 use crate::error::Fault;
-
-/// The extension that hides nodes.
-pub(crate) const VISIBILITY: &str = "KHR_node_visibility";
-
-/// What is said of joints that are not where they should be.
-const MISSING_JOINTS: &str = "vertices of joints that are missing follow the first joint of their skin";
 
 /// Reads a whole file, text or binary.
 pub(super) fn read(
@@ -107,7 +103,7 @@ pub(super) fn read(
         }
     }
     draft.rig.animations = rigging.animations(animations);
-    draft.rig.playing = (!draft.rig.animations.is_empty()).then_some(0);
+    draft.rig.playing = place::playing(&document, draft.rig.animations.len(), warnings);
     settle::settle(draft, &rebased, &mut scene, &mut budget, warnings)?;
     Ok(scene)
 }

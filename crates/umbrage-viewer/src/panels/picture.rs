@@ -75,7 +75,7 @@ fn paint_lines(session: &Session, painter: &egui::Painter, rect: Rect) {
     let Session { world, view, drawing, .. } = session;
     let Some(plan) = drawing.plan(0) else { return };
     let Ok(camera) = umbrage_render::camera(&view.camera(), rect.width() / rect.height()) else { return };
-    let bounds = world.scene.bounds_in(&world.scene.pose(view.seconds));
+    let bounds = world.scene.bounds_in(&view.pose(&world.scene));
     let reach = 1.5 * f64::from(bounds.min.abs().max(bounds.max.abs()).max_element());
     for (split, line) in lines::of_plan(plan, view.lines, reach) {
         if let Some(ends) = lines::project(&camera, line) {

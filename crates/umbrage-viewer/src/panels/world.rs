@@ -1,4 +1,4 @@
-//! The world as it is seen: time of day, animation, the camera's motion, and what is drawn.
+//! The world as it is seen: time of day, the camera's motion, and what is drawn; `animation.rs` has what moves.
 
 use eframe::egui;
 use umbrage_render::FrameLight;
@@ -16,7 +16,7 @@ pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Ac
     } else {
         ui.weak("this world has punctual lights and no sun");
     }
-    animation(ui, view);
+    super::animation::show(ui, view, &scene.rig);
     camera(ui, view);
     brightness(ui, view, scene);
     let msaa = ui.checkbox(&mut view.multisampled, "multisampling");
@@ -67,7 +67,7 @@ fn brightness(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) {
 
 /// What the world's lights ask for, lux.
 fn metered(view: &ViewState, scene: &Scene) -> f32 {
-    let (lights, pose) = (view.lights(scene), scene.pose(view.seconds));
+    let (lights, pose) = (view.lights(scene), view.pose(scene));
     let lights: Vec<_> = lights.iter().filter_map(|light| FrameLight::at(light, &pose).ok()).collect();
     umbrage_render::metered_lux(scene, &lights)
 }
@@ -87,16 +87,6 @@ fn time_of_day(ui: &mut egui::Ui, hour: &mut Option<f32>) {
     if ui.add(slider).on_hover_text(help).changed() {
         *hour = Some(shown);
     }
-}
-
-fn animation(ui: &mut egui::Ui, view: &mut ViewState) {
-    ui.horizontal(|ui| {
-        ui.checkbox(&mut view.playing, "animate")
-            .on_hover_text("Lets objects and lights move that do so in this world (Space).");
-        let time = egui::DragValue::new(&mut view.seconds).speed(0.05).suffix(" s").range(0.0..=86_400.0);
-        let response = ui.add(time).on_hover_text("Time of the animation, seconds from its start.");
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "time"));
-    });
 }
 
 fn camera(ui: &mut egui::Ui, view: &mut ViewState) {

@@ -1,9 +1,8 @@
 // Which texels a caster is drawn in that covers only in part: as large a share of them as it covers (stochastic transparency,
 // Enderton et al. 2010). A texel is drawn where the coverage exceeds the texel's threshold.
 //
-// Thresholds are Bayer's (1973): of every 4 × 4 texels of the lattice each has one of 16, of 16 × 16 one of 256. At each size they are
-// scrambled (Owen 1995) by the caster's number, so that the texels of two casters have nothing to do with each other: what
-// lies behind one another lets through the product. Texels are those of the light's own lattice, which no camera moves.
+// Thresholds are ordered, in an array of 32² texels that `src/levels.rs` makes. It lies in the light's own lattice, which no camera
+// moves, and is shifted, turned and mirrored for each caster: so what lies behind one another lets through the product.
 
 import package::current_view::umbrage_current_view;
 import package::frame::umbrage_frame;
@@ -34,18 +33,13 @@ fn umbrage_caster_covers(position: vec4f, id: u32, coverage: f32) -> bool {
     return coverage > (f32(level) + 0.5) / 256.0;
 }
 
-/// The level of a texel of the lattice, from 0 to 255: of every 2 × 2 texels each is in another quarter of the levels, of every
-/// 4 × 4 in another sixteenth, and so on.
+/// The level of a texel of the lattice for a caster, from 0 to 255.
 fn umbrage_lattice_level(texel: vec2u, id: u32) -> u32 {
-    let seed = umbrage_pcg(id);
-    var level = 0u;
-    for (var size = 0u; size < 4u; size++) {
-        let within = (texel >> vec2u(size)) & vec2u(1u);
-        let block = texel >> vec2u(size + 1u);
-        // Texels of a block that have been in the same levels so far are scrambled alike, and so stay apart.
-        let so_far = level | (1u << (2u * size));
-        let scramble = umbrage_pcg(seed + 2654435761u * block.x + 2246822519u * block.y + 3266489917u * so_far);
-        level = (level << 2u) | ((((within.x ^ within.y) << 1u) | within.y) ^ (scramble >> 30u));
-    }
-    return level;
+    let turn = umbrage_pcg(id);
+    let turned = select(texel, texel.yx, (turn & 1024u) != 0u);
+    let shifted = turned + vec2u(turn, turn >> 5u);
+    let mirrored = vec2u(0u) - (vec2u(turn >> 11u, turn >> 12u) & vec2u(1u));
+    let place = (shifted ^ mirrored) & vec2u(31u);
+    let four = umbrage_frame.levels[place.y][place.x >> 4u][(place.x >> 2u) & 3u];
+    return (four >> (8u * (place.x & 3u))) & 255u;
 }

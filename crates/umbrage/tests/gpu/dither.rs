@@ -5,7 +5,8 @@ use std::collections::HashMap;
 
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use umbrage::{
-    Camera, ExponentialVariance, Filter, Fit, Light, Settings, ShadowView, SummedVariance, TransparentCasters,
+    Camera, ExponentialVariance, Filter, Fit, Light, Settings, ShadowView, SummedVariance,
+    TransparentCasters, shaders::lattice_level,
 };
 
 use crate::common::{Drawn, Query, camera};
@@ -63,39 +64,10 @@ fn share(texels: &[([u32; 2], bool)]) -> f64 {
     texels.iter().filter(|(_, is_drawn)| *is_drawn).count() as f64 / texels.len() as f64
 }
 
-/// `umbrage_lattice_level` of `caster/covers.wgsl`.
-fn level([x, y]: [u32; 2], id: u32) -> u32 {
-    let pcg = |value: u32| {
-        let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-        (word >> 22) ^ word
-    };
-    (0..4).fold(0, |level, size| {
-        let (within, block) = ([x, y].map(|c| (c >> size) & 1), [x, y].map(|c| c >> (size + 1)));
-        let seed = pcg(id)
-            .wrapping_add(block[0].wrapping_mul(2_654_435_761))
-            .wrapping_add(block[1].wrapping_mul(2_246_822_519))
-            .wrapping_add((level | 1 << (2 * size)).wrapping_mul(3_266_489_917));
-        (level << 2) | ((((within[0] ^ within[1]) << 1) | within[1]) ^ (pcg(seed) >> 30))
-    })
-}
-
 /// The place of a texel in the light's lattice.
 fn in_lattice(view: &ShadowView, [x, y]: [u32; 2]) -> [u32; 2] {
     let [left, top] = view.lattice();
     [x.wrapping_add(left), y.wrapping_add(top)]
-}
-
-#[test]
-fn every_square_of_texels_has_each_level_once() {
-    for (id, side) in [(0, 16), (1, 16), (77, 4), (u32::MAX, 2)] {
-        for corner in [[0, 0], [16, 48], [u32::MAX - 15, 160]] {
-            let of = |i| level([corner[0] + i % side, corner[1] + i / side], id) * side * side / 256;
-            let mut levels: Vec<u32> = (0..side * side).map(of).collect();
-            levels.sort_unstable();
-            assert!(levels.iter().copied().eq(0..side * side), "{id} at {corner:?}: {levels:?}");
-        }
-    }
 }
 
 #[test]
@@ -106,7 +78,7 @@ fn a_pane_is_drawn_in_the_share_of_texels_that_it_covers_and_in_just_those() {
         let texels = texels(&drawn, Vec3::ZERO, 7.8);
         assert!(texels.len() >= 64 * 64, "{} texels", texels.len());
         for (texel, is_drawn) in &texels {
-            let level = level(in_lattice(&drawn.plan.views()[0], *texel), id) as f32;
+            let level = lattice_level(in_lattice(&drawn.plan.views()[0], *texel), id) as f32;
             assert_eq!(*is_drawn, coverage > (level + 0.5) / 256.0, "{texel:?} of {coverage}");
         }
         let share = share(&texels);
@@ -225,7 +197,9 @@ fn lookups_below_panes_find_the_share_of_light_that_gets_through() {
             let (mean, deviation) = mean_and_deviation(filter, panes);
             println!("{name} under {panes:?}: {mean:.3} ± {deviation:.3} of {product}");
             assert!((mean - product).abs() < 0.02, "{name}: {mean} gets through {panes:?}");
-            assert!(deviation < 0.13, "{name}: {mean} ± {deviation} gets through {panes:?}");
+            // White noise would differ by 0.14 under one pane, and by 0.17 under two.
+            let most = if name == "vogel" || panes.len() > 1 { 0.11 } else { 0.06 };
+            assert!(deviation < most, "{name}: {mean} ± {deviation} gets through {panes:?}");
         }
     }
     // Moments know one depth of casters, and what they show is darkened a little on purpose.

@@ -5,6 +5,7 @@ mod casting;
 mod changes;
 mod common;
 mod dither;
+mod examples;
 mod filters;
 mod lamps;
 mod layers;

@@ -23,6 +23,7 @@ pub(super) fn read(
 ) -> Vec<Animation> {
     let mut animations = Vec::new();
     for (i, raw) in document.animations.iter().enumerate() {
+        data.progress.step("animations", i, document.animations.len());
         let animation: Value = match deserialize::from_str(raw.get()) {
             Ok(animation) => animation,
             Err(why) => {

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use glam::Mat4;
 
+use super::contents::Contents;
 use super::nodes::Walked;
-use super::place::Contents;
 use super::rigging::Concern;
 use super::skins::Skin;
 use crate::import::warnings::Warnings;
@@ -21,13 +21,13 @@ pub(super) struct UsedSkins<'a> {
 }
 
 impl<'a> UsedSkins<'a> {
-    /// The skins of all nodes in the scene. A skin without a joint there bends nothing.
-    pub fn of(contents: &Contents<'a>, walk: &[Walked], warnings: &mut Warnings) -> Self {
+    /// The skins of all nodes in the scene that are ever seen. A skin without a joint there bends nothing.
+    pub fn of(contents: &Contents<'a>, walk: &[Walked], ever: &[bool], warnings: &mut Warnings) -> Self {
         let mut is_placed = vec![false; contents.document.root.nodes.len()];
         walk.iter().for_each(|walked| is_placed[walked.node] = true);
         let mut used = Self { skins: Vec::new(), by_node: BTreeMap::new() };
         let mut known: BTreeMap<usize, usize> = BTreeMap::new();
-        for Walked { node, .. } in walk {
+        for (Walked { node, .. }, _) in walk.iter().zip(ever).filter(|(_, ever)| **ever) {
             let json = &contents.document.root.nodes[*node];
             let (Some(mesh), Some(index)) = (contents.mesh(json), json.skin) else {
                 continue;
@@ -87,8 +87,13 @@ impl<'a> UsedSkins<'a> {
     }
 }
 
-/// What concerns the rig of each node of the file.
-pub(super) fn of(contents: &Contents<'_>, used: &UsedSkins<'_>) -> Vec<Concern> {
+/// What concerns the rig of each node of the file; of nodes in the walk, those that are ever seen may be morphed.
+pub(super) fn of(
+    contents: &Contents<'_>,
+    used: &UsedSkins<'_>,
+    walk: &[Walked],
+    ever: &[bool],
+) -> Vec<Concern> {
     let nodes = &contents.document.root.nodes;
     let mut concerns = vec![Concern::default(); nodes.len()];
     for channel in contents.animations.iter().flat_map(|animation| &animation.channels) {
@@ -99,7 +104,8 @@ pub(super) fn of(contents: &Contents<'_>, used: &UsedSkins<'_>) -> Vec<Concern> 
     for (joint, _) in used.skins.iter().flat_map(|skin| skin.joints.iter().flatten()) {
         concerns[*joint].is_needed = true;
     }
-    for (node, concern) in nodes.iter().zip(&mut concerns) {
+    for (walked, _) in walk.iter().zip(ever).filter(|(_, ever)| **ever) {
+        let (node, concern) = (&nodes[walked.node], &mut concerns[walked.node]);
         let targets = contents.mesh(node).map_or(0, |mesh| contents.meshes[mesh].targets.len());
         if targets > 0 {
             concern.weights = weights(contents, node, targets);

@@ -9,47 +9,25 @@ use glam::{DMat4, DVec3};
 use gltf::json::{Extras, Node};
 
 use super::concerns::{self, UsedSkins};
-use super::copies::Copies;
+use super::contents::Contents;
 use super::document::Document;
 use super::nodes::Walked;
 use super::rigging::Rigging;
-use super::skins::Skin;
 use super::{lenses, nodes, visibility};
 use crate::import::draft::{Draft, Hang, Placed};
 use crate::import::warnings::Warnings;
-use crate::rig::{Animation, Rig};
+use crate::rig::Rig;
 use crate::rigid::rigid;
-use crate::{CameraPath, Light, Mesh, Motion, extras};
-
-/// What of a file its nodes place.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Contents<'a> {
-    pub document: &'a Document,
-    /// The meshes of the scene.
-    pub meshes: &'a [Mesh],
-    /// Which of them each mesh of the file is, if it has triangles.
-    pub places: &'a [Option<usize>],
-    pub copies: &'a Copies,
-    pub skins: &'a [Result<Skin, String>],
-    /// The animations, of nodes of the file.
-    pub animations: &'a [Animation],
-}
-
-impl Contents<'_> {
-    /// The mesh of the scene that hangs on a node.
-    pub fn mesh(&self, node: &Node) -> Option<usize> {
-        node.mesh.and_then(|mesh| self.places.get(mesh.value()).copied().flatten())
-    }
-}
+use crate::{CameraPath, Light, Motion, extras};
 
 /// Everything that nodes place, with its transforms in f64, and the rig that moves it.
 pub(super) fn place(contents: Contents<'_>, origin: DVec3, warnings: &mut Warnings) -> (Draft, Rigging) {
     let Contents { document, animations, .. } = contents;
     let walk = nodes::walk(&document.root, &document.transforms, origin, warnings);
-    let used = UsedSkins::of(&contents, &walk, warnings);
-    let concerns = concerns::of(&contents, &used);
-    let rigging = Rigging::of(document, &walk, &concerns, origin, warnings);
     let ever = visibility::ever(&document.root.nodes, &walk, animations);
+    let used = UsedSkins::of(&contents, &walk, &ever, warnings);
+    let concerns = concerns::of(&contents, &used, &walk, &ever);
+    let rigging = Rigging::of(document, &walk, &concerns, origin, warnings);
     let rig = Rig {
         nodes: rigging.nodes.clone(),
         skins: used.in_rig(&rigging.in_rig),
@@ -234,5 +212,15 @@ fn exposed_for(document: &Document, warnings: &mut Warnings) -> Option<f32> {
     extras::exposed_for_of(&scene(document)?.extras).unwrap_or_else(|fault| {
         warnings.note("an exposure that cannot be understood is ignored", &fault.0);
         None
+    })
+}
+
+/// The animation of so many that plays, as [`crate::to_glb`] wrote it, or else the first.
+pub(super) fn playing(document: &Document, count: usize, warnings: &mut Warnings) -> Option<usize> {
+    let none = None;
+    let extras = scene(document).map_or(&none, |scene| &scene.extras);
+    extras::playing_of(extras, count).unwrap_or_else(|fault| {
+        warnings.note("an animation to play that cannot be understood is ignored", &fault.0);
+        (count > 0).then_some(0)
     })
 }

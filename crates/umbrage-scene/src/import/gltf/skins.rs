@@ -17,6 +17,9 @@ pub(super) struct Skin {
     pub joints: Vec<Option<(usize, Mat4)>>,
 }
 
+/// What is said of joints that are not where they should be.
+const MISSING: &str = "vertices of joints that are missing follow the first joint of their skin";
+
 /// A file may have more matrices than joints, but not so many times more: nothing in it pays for reading them.
 const MOST_MATRICES: usize = 4;
 
@@ -43,7 +46,7 @@ pub(super) fn read(
                     (true, None) => "has no finite inverse bind matrix".to_owned(),
                     (false, _) => format!("is node {node} of {}", document.root.nodes.len()),
                 };
-                warnings.note(super::MISSING_JOINTS, &format!("joint {k} of skin {i} {lacks}"));
+                warnings.note(MISSING, &format!("joint {k} of skin {i} {lacks}"));
                 None
             };
             Skin { joints: matrices.into_iter().enumerate().map(joint).collect() }

@@ -4,7 +4,7 @@
 
 use gltf::json::Value;
 
-use super::VISIBILITY;
+use super::visibility::VISIBILITY;
 
 /// A property of a node that animations move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

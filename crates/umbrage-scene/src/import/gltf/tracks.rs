@@ -16,6 +16,9 @@ use crate::rig::Track;
 /// A rotation shorter than this has no direction.
 const MIN_QUATERNION: f32 = 1e-6;
 
+/// How far from unit length a rotation may be that f32 has rounded.
+const UNIT_TOLERANCE: f32 = 1e-6;
+
 /// What lies between two keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mode {
@@ -123,7 +126,7 @@ fn rotations(data: &Data<'_>, sampler: Sampler, times: Vec<f32>) -> Result<Curve
         if row.length() < MIN_QUATERNION {
             return Err(Fault(format!("rotation {i} is {row}, need unit quaternions")));
         }
-        if !row.is_normalized() {
+        if (row.length() - 1.0).abs() > UNIT_TOLERANCE {
             *row = row.normalize();
         }
     }
@@ -141,7 +144,7 @@ fn weights(
     if let Some(weight) = rows.iter().find(|weight| !is_usable(weight)) {
         return Err(Fault(format!("a weight is {weight}, need at most {FARTHEST:e}")));
     }
-    if rows.len() % targets != 0 {
+    if !rows.len().is_multiple_of(targets) {
         return Err(Fault(format!("{} weights for {targets} morph targets", rows.len())));
     }
     curve(times, sampler.mode, rows.chunks(targets).map(<[f32]>::to_vec).collect())

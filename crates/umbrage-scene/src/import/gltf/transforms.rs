@@ -12,6 +12,9 @@ use crate::rig::Place;
 /// A rotation shorter than this has no direction.
 const MIN_QUATERNION: f64 = 1e-6;
 
+/// How far from unit length a rotation may be that f32 has rounded.
+const UNIT_TOLERANCE: f64 = 1e-6;
+
 /// `parent_from_node`, and what of the file's numbers is not in it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Transform {
@@ -38,10 +41,14 @@ pub(super) fn take(members: &mut Members) -> Result<Transform, String> {
             let [x, y, z, w] = rotation.map_or(Ok([0.0, 0.0, 0.0, 1.0]), |raw| numbers("rotation", &raw))?;
             let scale = scale.map_or(Ok([1.0; 3]), |raw| numbers("scale", &raw))?;
             let translation = translation.map_or(Ok([0.0; 3]), |raw| numbers("translation", &raw))?;
-            let rotation = unit(DQuat::from_xyzw(x, y, z, w), &mut ignored);
+            let given = DQuat::from_xyzw(x, y, z, w);
+            let rotation = unit(given, &mut ignored);
             let (scale, translation) = (DVec3::from(scale), DVec3::from(translation));
             let matrix = DMat4::from_scale_rotation_translation(scale, rotation, translation);
-            let (rotation, scale) = (rotation.as_quat(), scale.as_vec3());
+            // What is a unit in f32 keeps its bits.
+            let is_unit = (given.length() - 1.0).abs() <= UNIT_TOLERANCE;
+            let rotation = if is_unit { given.as_quat() } else { rotation.as_quat() };
+            let scale = scale.as_vec3();
             (matrix, Place::Parts { translation, rotation, scale })
         }
     };

@@ -5,10 +5,12 @@
 
 use gltf::json::{Node, Value};
 
-use super::VISIBILITY;
 use super::nodes::Walked;
 use crate::curve::Keys;
 use crate::rig::{Animation, Track};
+
+/// The extension's name.
+pub(crate) const VISIBILITY: &str = "KHR_node_visibility";
 
 /// Whether a node is visible by itself.
 pub(super) fn of(node: &Node) -> bool {

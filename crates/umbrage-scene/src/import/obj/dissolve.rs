@@ -23,7 +23,10 @@ const NEARLY: u8 = 32;
 /// The pictures with coverage in their alpha that were made so far, by the index of the picture of colours and by what the
 /// coverage was read from.
 #[derive(Debug, Default)]
-pub(super) struct Combined(HashMap<(Option<usize>, usize, Channel, [u32; 2]), Option<(usize, bool)>>);
+pub(super) struct Combined(HashMap<Key, Option<(usize, bool)>>);
+
+/// The pictures of colours and of coverage by their numbers, the channel, and the bits of what is added and multiplied.
+type Key = (Option<usize>, usize, Channel, [u32; 2]);
 
 /// The material's coverage by a number alone, 0 to 1.
 pub(super) fn by_number(material: &mut Material, dissolve: f32) {

@@ -56,16 +56,29 @@ pub(super) fn unpack(
         let decoded = view
             .ok_or_else(|| Fault("\"bufferView\" is not a whole number".to_owned()))
             .and_then(|view| decode(document, buffers, view, budget, progress));
+        let mut is_used = true;
         for place in places {
             let rewritten = match &decoded {
                 Ok(decoded) => rewrite(document, buffers, place, decoded, budget, warnings),
                 Err(Fault(why)) => Err(Fault(why.clone())),
             };
             if let Err(Fault(why)) = rewritten {
+                is_used = false;
                 give_up(document, place, &super::in_words(NAME, &why), warnings);
             }
         }
+        // What is used is paid for there; but a file may have the same decoded for nothing, again and again.
+        if let (Ok(mesh), false) = (&decoded, is_used) {
+            // Whether there is room for more is asked by who wants more.
+            let _ = budget.unpacked(size(mesh));
+        }
     }
+}
+
+/// The bytes of a decoded mesh.
+fn size(mesh: &Mesh) -> usize {
+    let attributes = (0..mesh.num_attributes()).filter_map(|id| mesh.try_attribute(id).ok());
+    12 * mesh.num_faces() + attributes.map(|attribute| attribute.buffer().data().len()).sum::<usize>()
 }
 
 /// What a primitive says of its compression.
