@@ -154,13 +154,13 @@ pub const ALL: &[World] = &[
     World {
         name: "village-fair",
         source: "made for crowds",
-        summary: "a hundred people with bones, flags, a carousel and stalls of cloth under fifteen lamps at sunset, 230 K triangles",
+        summary: "a hundred people with bones, flags, a carousel and stalls of cloth under fifteen lamps at sunset, 340 K triangles",
         build: village_fair::build,
     },
     World {
         name: "atrium",
         source: "made for glass and cloth",
-        summary: "a court of columns and arcades under a glass roof, with hangings, palms and ten lamps, 100 K triangles",
+        summary: "a court of columns and arcades under a glass roof, with hangings, palms and ten lamps, 67 K triangles",
         build: atrium::build,
     },
 ];

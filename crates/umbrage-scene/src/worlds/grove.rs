@@ -24,28 +24,33 @@ use super::stage::{Stage, View, standing};
 use crate::Scene;
 use crate::shape::Ground;
 
-const VIEW: View = View { fov_degrees: 60.0, near: 0.3, far: 1000.0 };
+const VIEW: View = View { fov_degrees: 60.0, near: 0.3, far: 620.0 };
+/// Down at the ground, which is near.
+const GROUND: View = View { fov_degrees: 45.0, near: 0.3, far: 70.0 };
+/// From above, at everything.
+const ABOVE: View = View { fov_degrees: 36.0, near: 1.0, far: 1000.0 };
 /// Where the main camera stands, on the plan.
 const OUTLOOK: Vec2 = Vec2::new(0.0, 250.0);
-/// The trees at 10, 100 and 400 m from there, on the plan.
-const TREES: [Vec2; 3] = [Vec2::new(-6.2, 243.4), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -148.5)];
+/// The trees at 10, 100 and 400 m from there, on the plan, and their sizes: the nearest is young.
+const SIZES: [f32; 3] = [0.54, 1.0, 1.25];
+const TREES: [Vec2; 3] = [Vec2::new(-6.75, 243.9), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -145.5)];
 /// The other trees whose boughs sway.
 const SWAYING: [Vec2; 5] = [
-    Vec2::new(24.0, 214.0),
-    Vec2::new(-31.0, 216.0),
-    Vec2::new(13.0, 187.0),
-    Vec2::new(-42.0, 183.0),
-    Vec2::new(44.0, 176.0),
+    Vec2::new(58.0, 186.0),
+    Vec2::new(-66.0, 196.0),
+    Vec2::new(40.0, 128.0),
+    Vec2::new(-84.0, 140.0),
+    Vec2::new(92.0, 150.0),
 ];
-const POPLARS: [Vec2; 3] = [Vec2::new(-21.0, 226.0), Vec2::new(-24.5, 221.0), Vec2::new(-28.0, 226.5)];
+const POPLARS: [Vec2; 3] = [Vec2::new(-37.0, 204.0), Vec2::new(-41.5, 200.0), Vec2::new(-45.0, 205.5)];
 /// After so many seconds all gusts are over, and begin again.
 const GUSTS_SECONDS: f32 = 12.0;
 
 pub(super) fn build(seed: u64) -> Scene {
-    let mut stage = Stage::new("grove", seed, VIEW, Vec3::new(0.74, -0.62, -0.28));
+    let mut stage = Stage::new("grove", seed, VIEW, Vec3::new(0.84, -0.53, -0.08));
     let ground = land::build(seed as i32);
-    let meadow = stage.textured(land::meadow());
-    stage.ground(&ground.primitives(meadow, 24.0));
+    let meadow = stage.textured(land::meadow(seed as i32));
+    stage.ground(&ground.primitives(meadow, 1.0));
     let materials = leaves::materials(&mut stage);
     let mut wind = Moves::new(GUSTS_SECONDS);
     plant_trees(&mut stage, &ground, materials.leaf, &mut wind);
@@ -63,9 +68,9 @@ fn plant_trees(stage: &mut Stage, ground: &Ground, leaf: usize, wind: &mut Moves
     let trunk = stage.mesh("trunk", &trees::trunk());
     let shapes: Vec<_> = (0..2).map(|_| trees::bough(&mut stage.dice, leaf)).collect();
     let boughs: Vec<usize> = shapes.iter().map(|shape| stage.add(crate::Mesh::new("bough", shape))).collect();
-    for place in TREES.into_iter().chain(SWAYING) {
+    let others = SWAYING.map(|place| (place, stage.dice.between(0.85, 1.2)));
+    for (place, size) in TREES.into_iter().zip(SIZES).chain(others) {
         let feet = ground.at(place.x, place.y);
-        let size = if TREES.contains(&place) { 1.0 } else { stage.dice.between(0.85, 1.2) };
         let yaw = stage.dice.angle();
         stage.place(trunk, standing(feet, yaw, size));
         let root = stage.node("tree", None, feet, Quat::from_rotation_y(yaw), Vec3::splat(size));
@@ -115,14 +120,14 @@ fn plant_poplars(stage: &mut Stage, ground: &Ground, leaf: usize, wind: &mut Mov
 
 fn look(stage: &mut Stage, ground: &Ground) {
     let at = |x: f32, up: f32, z: f32| ground.at(x, z) + Vec3::Y * up;
-    let main = (at(OUTLOOK.x, 3.5, OUTLOOK.y), at(0.0, 3.0, 130.0));
+    let main = (at(OUTLOOK.x, 3.5, OUTLOOK.y), at(0.0, -5.0, 140.0));
     stage.look("main", main.0, main.1);
-    stage.look_far(at(-60.0, 120.0, 420.0), at(0.0, 0.0, 60.0));
-    stage.look("close", at(3.5, 1.8, 246.0), at(-3.0, 0.3, 240.0));
-    stage.look("split", at(14.0, 1.7, 236.0), at(-20.0, 3.0, 120.0));
+    stage.look_through(ABOVE, "far", at(70.0, 100.0, 350.0), at(34.0, 0.0, 90.0));
+    stage.look_through(GROUND, "close", at(4.5, 2.6, 247.0), at(1.0, 0.0, 241.0));
+    stage.look("split", at(-12.0, 1.7, 226.0), at(26.0, 4.0, 60.0));
     stage.look_into_light(at(16.0, 1.7, 224.0), 11.0);
     let (eye, target) = fence::beside(ground);
-    stage.look("fence", eye, target);
+    stage.look_through(GROUND, "fence", eye, target);
     stage.fly(&[
         main,
         (at(-2.0, 5.0, 222.0), at(0.0, 3.0, 120.0)),

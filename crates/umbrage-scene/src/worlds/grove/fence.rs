@@ -10,15 +10,17 @@ use crate::worlds::cards::Cards;
 use crate::worlds::stage::{Stage, standing};
 
 /// Where the fence begins and where it goes, on the plan.
-const START: Vec2 = Vec2::new(4.5, 242.0);
+const START: Vec2 = Vec2::new(16.0, 230.0);
 const ALONG: Vec2 = Vec2::new(0.8, -0.6);
 /// Quads, and how long each is.
 pub(super) const PANELS: usize = 7;
+/// Along so many of them the grass is mown.
+pub(super) const MOWN: usize = 2;
 const PANEL: f32 = 12.0;
 const POSTS_A_PANEL: usize = 4;
 const HEIGHT: f32 = 1.6;
 /// The width of a link, metres.
-const LINK: f32 = 0.1;
+const LINK: f32 = 0.16;
 
 /// The ends of a quad, on the plan.
 pub(super) fn panel(i: usize) -> (Vec2, Vec2) {
@@ -58,5 +60,5 @@ pub(super) fn beside(ground: &Ground) -> (Vec3, Vec3) {
         let at = START + ALONG * along + aside() * aside_by;
         ground.at(at.x, at.y) + Vec3::Y * up
     };
-    (place(3.0, -4.0, 1.7), place(10.0, 1.0, 0.4))
+    (place(2.0, 3.6, 2.2), place(6.4, 0.6, 0.1))
 }

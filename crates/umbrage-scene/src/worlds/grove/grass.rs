@@ -11,9 +11,9 @@ use crate::worlds::rigging::Moves;
 use crate::worlds::stage::Stage;
 use crate::{Mesh, MorphTarget, Primitive};
 
-const TUFTS: usize = 1200;
+const TUFTS: usize = 900;
 /// Tufts grow so far from the main camera.
-const FIELD: f32 = 62.0;
+const FIELD: f32 = 110.0;
 
 pub(super) fn sow(stage: &mut Stage, ground: &Ground, grass: usize, wind: &mut Moves) {
     let tuft = stage.add(Mesh::new("tuft", &[tuft(grass, 0.55, 0.6)]));
@@ -22,8 +22,8 @@ pub(super) fn sow(stage: &mut Stage, ground: &Ground, grass: usize, wind: &mut M
         let (ahead, across) = (dice.between(0.0, 1.0), dice.between(-1.0, 1.0));
         let place = OUTLOOK + Vec2::new(across * FIELD * (0.25 + 0.75 * ahead), 4.0 - ahead * FIELD);
         let (yaw, tall) = (dice.angle(), dice.between(0.6, 1.2));
-        // Nothing grows in the shade under the tree beside the camera, or before the camera's lens.
-        if place.distance(TREES[0]) < 5.5 || place.distance(OUTLOOK) < 4.5 || lawn(place) {
+        // Nothing grows in the shade of the tree beside the camera, or before the camera's lens.
+        if place.distance(TREES[0] + Vec2::X * 5.0) < 12.0 || place.distance(OUTLOOK) < 15.0 || lawn(place) {
             continue;
         }
         let feet = ground.at(place.x, place.y) - Vec3::Y * 0.03;
@@ -31,7 +31,7 @@ pub(super) fn sow(stage: &mut Stage, ground: &Ground, grass: usize, wind: &mut M
         stage.place(tuft, Mat4::from_scale_rotation_translation(scale, Quat::from_rotation_y(yaw), feet));
     }
     let swathe = swathe(stage, grass);
-    for i in 0..fence::PANELS {
+    for i in fence::MOWN..fence::PANELS {
         let (from, to) = fence::panel(i);
         let place = from.lerp(to, 0.5) + fence::aside() * 1.1;
         let slope = (ground.at(to.x, to.y) - ground.at(from.x, from.y)).normalize_or(Vec3::X);
@@ -70,9 +70,9 @@ fn blade(cards: &mut Cards, foot: Vec3, turn: f32, wide: f32, tall: f32) {
 /// A strip of tall grass, 12 m long; its morph target is the strip in a gust.
 fn swathe(stage: &mut Stage, grass: usize) -> usize {
     let mut cards = Cards::new(grass);
-    for i in 0..44 {
+    for i in 0..30 {
         let dice = &mut stage.dice;
-        let foot = Vec3::new(-5.9 + 0.27 * i as f32, -0.05, dice.between(-0.35, 0.35));
+        let foot = Vec3::new(-5.9 + 0.4 * i as f32, -0.05, dice.between(-0.35, 0.35));
         let turn = dice.between(0.0, 1.0);
         blade(&mut cards, foot, turn, 0.7, dice.between(0.8, 1.25));
     }

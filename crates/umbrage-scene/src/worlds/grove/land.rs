@@ -8,8 +8,8 @@ use crate::Texture;
 use crate::shape::Ground;
 use crate::worlds::picture::picture;
 
-pub(super) const SIDE: f32 = 900.0;
-const TRIANGLES: usize = 64_800;
+pub(super) const SIDE: f32 = 1000.0;
+const TRIANGLES: usize = 80_000;
 
 pub(super) fn build(seed: i32) -> Ground {
     Ground::new(SIDE, TRIANGLES, |p| {
@@ -20,15 +20,13 @@ pub(super) fn build(seed: i32) -> Ground {
     })
 }
 
-/// Mown and unmown grass, clover and bare soil.
-pub(super) fn meadow() -> Texture {
-    picture("meadow", 512, 1.0, |p| {
-        // Two octaves of a lattice that repeats with the picture.
-        let wave = |x: f32, y: f32| (std::f32::consts::TAU * (x * p.x + y * p.y)).sin();
-        let mottled = wave(2.0, 1.0) * wave(-1.0, 3.0) + 0.6 * wave(7.0, -5.0) * wave(4.0, 9.0);
-        let fine = wave(41.0, 23.0) * wave(-29.0, 37.0) + wave(67.0, -59.0) * wave(53.0, 61.0);
-        let green = Vec3::new(0.16, 0.24, 0.06).lerp(Vec3::new(0.23, 0.27, 0.09), 0.5 + 0.3 * mottled);
-        green * (1.0 + 0.12 * fine)
+/// Mown and unmown grass, and where it is dry.
+pub(super) fn meadow(seed: i32) -> Texture {
+    picture("meadow", 1024, SIDE, |p| {
+        let mottled = |size: f32| Perlin.frequency(1.0 / size).seed(seed + 3).sample2(p.to_array());
+        let dry = (0.5 + 0.9 * mottled(70.0) + 0.4 * mottled(19.0)).clamp(0.0, 1.0);
+        let green = Vec3::new(0.13, 0.22, 0.05).lerp(Vec3::new(0.25, 0.27, 0.10), dry);
+        green * (1.0 + 0.22 * mottled(4.0))
     })
 }
 

@@ -50,19 +50,19 @@ fn shade(dice: &mut Dice, colour: Vec3) -> Ink {
 pub(super) fn spray(dice: &mut Dice) -> Texture {
     let mut canvas = Canvas::new(256, LEAF);
     canvas.line((Vec2::new(0.5, 1.0), 0.035), (Vec2::new(0.5, 0.12), 0.012), Ink::Colour(BARK));
-    for i in 0..9 {
-        let root = Vec2::new(0.5, 0.93 - 0.095 * i as f32);
+    for i in 0..5 {
+        let root = Vec2::new(0.5, 0.9 - 0.15 * i as f32);
         for side in [-1.0, 1.0] {
-            let angle = side * dice.between(0.75, 1.25);
-            let along = Vec2::new(angle.sin(), -angle.cos()) * dice.between(0.3, 0.4);
-            canvas.leaf(root, along, dice.between(0.12, 0.17), shade(dice, LEAF));
+            let angle = side * dice.between(0.85, 1.25);
+            let along = Vec2::new(angle.sin(), -angle.cos()) * dice.between(0.4, 0.46);
+            canvas.leaf(root, along, dice.between(0.2, 0.26), shade(dice, LEAF));
             if dice.pick(3) == 0 {
                 let eaten = root + along * dice.between(0.35, 0.7);
-                canvas.disc(eaten, dice.between(0.01, 0.035), Ink::Hole);
+                canvas.disc(eaten, dice.between(0.015, 0.05), Ink::Hole);
             }
         }
     }
-    canvas.leaf(Vec2::new(0.5, 0.2), Vec2::new(0.0, -0.19), 0.13, shade(dice, LEAF));
+    canvas.leaf(Vec2::new(0.5, 0.36), Vec2::new(0.0, -0.34), 0.24, shade(dice, LEAF));
     canvas.texture("spray")
 }
 
@@ -70,23 +70,23 @@ pub(super) fn spray(dice: &mut Dice) -> Texture {
 pub(super) fn broad(dice: &mut Dice) -> Texture {
     let mut canvas = Canvas::new(512, LEAF);
     canvas.line((Vec2::new(0.5, 1.0), 0.05), (Vec2::new(0.5, 0.45), 0.025), Ink::Colour(BARK));
-    for i in 0..46 {
+    for i in 0..26 {
         // Fibonacci's spiral covers the crown evenly.
-        let (angle, out) = (i as f32 * 2.399_963, (i as f32 / 46.0).sqrt());
+        let (angle, out) = (i as f32 * 2.399_963, (i as f32 / 26.0).sqrt());
         let middle = Vec2::new(0.5 + 0.37 * out * angle.sin(), 0.4 + 0.33 * out * angle.cos());
         clump(&mut canvas, dice, middle, dice_radius(i));
     }
-    for _ in 0..26 {
+    for _ in 0..16 {
         let (angle, out) = (dice.angle(), dice.between(0.1, 1.0).sqrt());
         let middle = Vec2::new(0.5 + 0.36 * out * angle.sin(), 0.4 + 0.32 * out * angle.cos());
-        canvas.disc(middle, dice.between(0.006, 0.03), Ink::Hole);
+        canvas.disc(middle, dice.between(0.008, 0.04), Ink::Hole);
     }
     canvas.texture("broad tree")
 }
 
 /// Clumps of three sizes.
 fn dice_radius(i: usize) -> f32 {
-    [0.105, 0.075, 0.055][i % 3]
+    [0.135, 0.1, 0.08][i % 3]
 }
 
 /// A clump of leaves with a ragged edge.
@@ -126,15 +126,15 @@ pub(super) fn spruce(dice: &mut Dice) -> Texture {
 /// Blades from the bottom of the picture, some bent.
 pub(super) fn grass(dice: &mut Dice) -> Texture {
     let mut canvas = Canvas::new(128, BLADE);
-    for i in 0..9 {
-        let root = Vec2::new(0.1 + 0.1 * i as f32, 1.0);
+    for i in 0..6 {
+        let root = Vec2::new(0.14 + 0.145 * i as f32, 1.0);
         let height = dice.between(0.55, 0.95);
         let bend = dice.between(-0.14, 0.14);
         let knee = root + Vec2::new(0.35 * bend, -0.6 * height);
         let tip = root + Vec2::new(bend, -height);
         let ink = shade(dice, BLADE);
-        canvas.line((root, 0.07), (knee, 0.05), ink);
-        canvas.line((knee, 0.05), (tip, 0.008), ink);
+        canvas.line((root, 0.12), (knee, 0.085), ink);
+        canvas.line((knee, 0.085), (tip, 0.01), ink);
     }
     canvas.texture("grass")
 }

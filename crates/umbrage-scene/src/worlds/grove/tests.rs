@@ -60,7 +60,7 @@ fn boughs_sway_and_crowns_are_morphed() {
         assert_ne!(start.weights(node), gusts[0].weights(node));
         count += 1;
     }
-    assert_eq!(count, 3 + 7);
+    assert_eq!(count, 3 + 5);
 }
 
 #[test]

@@ -40,13 +40,13 @@ pub(super) fn bough(dice: &mut Dice, leaf: usize) -> Vec<Primitive> {
     let at = |share: f32| Vec3::new(0.0, 0.5 * share * share * REACH * 0.5, share * REACH);
     let wood = tube(&[(at(0.0), 0.085), (at(0.5), 0.05), (at(0.95), 0.014)], 5);
     let mut leaves = Cards::new(leaf);
-    for i in 0..30 {
-        let share = 0.2 + 0.8 * (i as f32 + 0.5) / 30.0;
+    for i in 0..22 {
+        let share = 0.2 + 0.8 * (i as f32 + 0.5) / 22.0;
         // Twigs grow around the bough by the golden angle.
         let turn = Quat::from_rotation_z(i as f32 * 2.399_963);
-        let up = (turn * Vec3::new(0.0, 1.0, 0.55)).normalize_or(Vec3::Y) * dice.between(0.8, 1.2);
+        let up = (turn * Vec3::new(0.0, 1.0, 0.55)).normalize_or(Vec3::Y) * dice.between(0.95, 1.3);
         let right = up.cross(turn * Vec3::X.lerp(Vec3::Z, dice.between(-0.4, 0.4))).normalize_or(Vec3::X);
-        let right = right * dice.between(0.75, 1.05);
+        let right = right * dice.between(0.95, 1.3);
         let card = Card { corner: at(share) - right * 0.5, right, up, picture: WHOLE };
         leaves.add(card, tint(dice));
     }

@@ -14,30 +14,30 @@ use crate::worlds::cards::{Card, WHOLE};
 use crate::worlds::stage::Stage;
 
 /// Trees stand on a lattice so wide, and not exactly.
-const LATTICE: f32 = 11.5;
+const LATTICE: f32 = 13.0;
 
 /// How far inside of the glade a place is, metres; negative in the wood.
 fn into_glade(place: Vec2) -> f32 {
-    let across = 74.0 - (place.x + 8.0 + 10.0 * (place.y * 0.02).sin()).abs();
-    across.min(place.y + 236.0)
+    let across = 240.0 - (place.x - 30.0 + 12.0 * (place.y * 0.02).sin()).abs();
+    across.min(place.y + 310.0)
 }
 
 /// Plants spruces and broad trees where no glade is.
 pub(super) fn plant(stage: &mut Stage, ground: &Ground, materials: &Materials, seed: i32) {
     let broad = {
-        let mut cards = trees::crossed(materials.crowns[0], 11.0, 12.5, 3);
+        let mut cards = trees::crossed(materials.crowns[0], 15.0, 17.0, 2);
         // What is seen from above is a clump of its own.
-        for (turn, height) in [(0.3, 6.6), (1.4, 8.4)] {
+        for (turn, height) in [(0.3, 11.0)] {
             let tilt = Quat::from_rotation_y(turn) * Quat::from_rotation_x(0.25);
-            let (right, up) = (tilt * Vec3::X * 8.0, tilt * Vec3::NEG_Z * 8.0);
+            let (right, up) = (tilt * Vec3::X * 11.0, tilt * Vec3::NEG_Z * 11.0);
             let corner = Vec3::Y * height - (right + up) * 0.5;
             cards.add(Card { corner, right, up, picture: WHOLE.map(|at| at * 0.62 + 0.19) }, Vec3::ONE);
         }
-        cards.bent_from(Vec3::Y * 5.0, 0.8)
+        cards.bent_from(Vec3::Y * 7.0, 0.8)
     };
-    let spruce = trees::crossed(materials.crowns[1], 8.0, 17.0, 3).bent_from(Vec3::Y * 4.0, 0.6);
+    let spruce = trees::crossed(materials.crowns[1], 11.0, 22.0, 2).bent_from(Vec3::Y * 5.0, 0.6);
     let trunk = |height: f32| tube(&[(Vec3::NEG_Y, 0.34), (Vec3::Y * height, 0.12)], 5);
-    let kinds = [("broad tree", broad, 7.0), ("spruce", spruce, 15.0)].map(|(name, cards, height)| {
+    let kinds = [("broad tree", broad, 9.0), ("spruce", spruce, 19.0)].map(|(name, cards, height)| {
         let trunk = trunk(height).painted(Paint::Bark as usize);
         stage.add(Mesh::new(name, &[trunk, cards.into_primitive()]))
     });
@@ -63,8 +63,8 @@ pub(super) fn plant(stage: &mut Stage, ground: &Ground, materials: &Materials, s
 pub(super) fn edge(dice: &mut Dice) -> Vec<Vec2> {
     let taken = || TREES.into_iter().chain(SWAYING).chain(POPLARS);
     let mut places: Vec<Vec2> = Vec::new();
-    while places.len() < 70 {
-        let place = Vec2::new(dice.between(-90.0, 90.0), dice.between(-240.0, 230.0));
+    while places.len() < 48 {
+        let place = Vec2::new(dice.between(-230.0, 290.0), dice.between(-320.0, 230.0));
         let free = |other: Vec2, room: f32| other.distance(place) > room;
         let inside = into_glade(place);
         let wanted = (-4.0..14.0).contains(&inside);

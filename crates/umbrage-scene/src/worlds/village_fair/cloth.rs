@@ -88,14 +88,13 @@ pub(super) fn lace() -> crate::Texture {
     canvas.texture("lace")
 }
 
-/// A cross on blue.
+/// A ball and a band on green.
 fn flag() -> crate::Texture {
-    let blue = Vec3::new(0.05, 0.12, 0.42);
-    let mut canvas = Canvas::new(128, blue);
-    canvas.fill(Ink::Colour(blue), |_| 1.0);
-    canvas.fill(Ink::Colour(Vec3::new(0.72, 0.52, 0.08)), |at| {
-        (0.09 - (at.x - 0.36).abs()).max(0.12 - (at.y - 0.5).abs())
-    });
+    let (green, gold) = (Vec3::new(0.05, 0.26, 0.12), Vec3::new(0.72, 0.52, 0.08));
+    let mut canvas = Canvas::new(128, green);
+    canvas.fill(Ink::Colour(green), |_| 1.0);
+    canvas.fill(Ink::Colour(WHITE), |at| 0.1 - (at.x + at.y - 1.0).abs());
+    canvas.disc(Vec2::new(0.24, 0.26), 0.13, Ink::Colour(gold));
     canvas.texture("flag")
 }
 

@@ -73,12 +73,13 @@ fn people_stand_on_the_green_or_the_stage_whatever_they_do() {
 #[test]
 fn no_two_people_move_alike_and_none_stretches() {
     let scene = build(0);
-    let [start, later] = [0.0, 0.4].map(|seconds| scene.pose(seconds));
+    let [start, soon, later] = [0.0, 0.4, 1.3].map(|seconds| scene.pose(seconds));
     for person in people(&scene) {
         let mesh = &scene.meshes[person.mesh];
-        let [from, to] = [&start, &later].map(|pose| bent(&scene, person, pose));
-        let moved = from.iter().zip(&to).map(|(a, b)| a.distance(*b)).fold(0.0, f32::max);
-        assert!((0.001..2.0).contains(&moved), "{} moves by {moved} m", mesh.name);
+        let [from, to, then] = [&start, &soon, &later].map(|pose| bent(&scene, person, pose));
+        let moved = |to: &[Vec3]| from.iter().zip(to).map(|(a, b)| a.distance(*b)).fold(0.0, f32::max);
+        let most = moved(&to).max(moved(&then));
+        assert!((0.01..6.0).contains(&most), "{} moves by {most} m", mesh.name);
         for edge in mesh.indices.as_chunks().0.iter().map(|t: &[u32; 3]| [t[0] as usize, t[1] as usize]) {
             let [rest, bent] = [&mesh.positions, &to].map(|places| places[edge[0]].distance(places[edge[1]]));
             assert!(bent < 1.2 * rest + 0.2, "{}: an edge of {rest} m is {bent} m long", mesh.name);
