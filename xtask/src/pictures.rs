@@ -7,6 +7,8 @@ const PICTURES: &[(&str, &str, &str)] = &[
     ("mining-terrain", "main", "mining-terrain"),
     ("survey", "main", "survey"),
     ("grove", "main", "grove"),
+    ("village-fair", "main", "village-fair"),
+    ("atrium", "main", "atrium"),
     ("knights", "main", "knights"),
     ("huge-chessboard", "main", "huge-chessboard"),
     ("robot-war", "main", "robot-war"),

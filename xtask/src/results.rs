@@ -26,6 +26,8 @@ const WORLDS: &[&str] = &[
     "mining-terrain",
     "survey",
     "grove",
+    "village-fair",
+    "atrium",
 ];
 const SIZE: &str = "640x360";
 const LARGE: &str = "target/large.glb";

@@ -223,6 +223,8 @@ fn lists_name_every_world_preset_and_adapter() {
         "mining-terrain",
         "survey",
         "grove",
+        "village-fair",
+        "atrium",
     ] {
         assert!(worlds.contains(name), "{name}: {worlds}");
     }

@@ -72,8 +72,8 @@ pub struct Map {
 }
 
 impl Material {
-    /// Makes a material of one opaque colour, given as linear RGB, that only scatters light (Lambert's law): all built-in
-    /// worlds are of it.
+    /// Makes a material of one opaque colour, given as linear RGB, that only scatters light (Lambert's law): nearly all of the
+    /// built-in worlds is of it.
     pub fn plain(name: &str, red: f32, green: f32, blue: f32) -> Self {
         Self {
             name: name.to_owned(),

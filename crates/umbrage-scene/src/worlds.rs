@@ -148,7 +148,7 @@ pub const ALL: &[World] = &[
     World {
         name: "grove",
         source: "made for surfaces with holes",
-        summary: "a glade in a wood of leaves cut out of pictures, a chain-link fence and tall grass in the wind, 350 K triangles",
+        summary: "a glade in a wood of leaves cut out of pictures, a chain-link fence and tall grass in the wind, 250 K triangles",
         build: grove::build,
     },
     World {

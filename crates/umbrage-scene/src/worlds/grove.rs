@@ -33,7 +33,7 @@ const ABOVE: View = View { fov_degrees: 36.0, near: 1.0, far: 1000.0 };
 const OUTLOOK: Vec2 = Vec2::new(0.0, 250.0);
 /// The trees at 10, 100 and 400 m from there, on the plan, and their sizes: the nearest is young.
 const SIZES: [f32; 3] = [0.54, 1.0, 1.25];
-const TREES: [Vec2; 3] = [Vec2::new(-6.75, 243.9), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -145.5)];
+const TREES: [Vec2; 3] = [Vec2::new(-6.58, 244.05), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -145.5)];
 /// The other trees whose boughs sway.
 const SWAYING: [Vec2; 5] = [
     Vec2::new(58.0, 186.0),
@@ -125,7 +125,7 @@ fn look(stage: &mut Stage, ground: &Ground) {
     stage.look_through(ABOVE, "far", at(70.0, 100.0, 350.0), at(34.0, 0.0, 90.0));
     stage.look_through(GROUND, "close", at(4.5, 2.6, 247.0), at(1.0, 0.0, 241.0));
     stage.look("split", at(-12.0, 1.7, 226.0), at(26.0, 4.0, 60.0));
-    stage.look_into_light(at(16.0, 1.7, 224.0), 11.0);
+    stage.look_into_light(at(-14.0, 1.7, 214.0), 11.0);
     let (eye, target) = fence::beside(ground);
     stage.look_through(GROUND, "fence", eye, target);
     stage.fly(&[
