@@ -383,3 +383,26 @@ fn what_an_animation_throws_beyond_all_bounds_is_not_what_the_camera_looks_at() 
         umbrage_scene::to_glb(&scene).unwrap();
     }
 }
+
+#[test]
+fn what_hangs_on_nodes_that_stand_beyond_all_bounds_is_hidden() {
+    for (above, told) in [
+        (r#""scale": [1e30, 1e30, 1e30]"#, 1),
+        (r#""translation": [1e35, 0, 0]"#, 1),
+        (r#""matrix": [1e30,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"#, 1),
+        (r#""scale": [1e11, 1e11, 1e11]"#, 0),
+    ] {
+        let mut doc = Doc::triangle();
+        let times = scalars(&mut doc, &[0.0, 1.0]);
+        let scales = vectors(&mut doc, &[1.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
+        doc.nodes = format!(
+            r#"{{"mesh": 0}}, {{"children": [2], {above}}}, {{"children": [3], {above}}},
+            {{"children": [4]}}, {{"mesh": 0, "scale": [1e-20, 1e-20, 1e-20]}}"#
+        );
+        animate(&mut doc, &[Channel(r#""node": 3, "path": "scale""#, times, scales, "")]);
+        let Imported { scene, warnings } = doc.load().unwrap();
+        umbrage_scene::to_glb(&scene).unwrap_or_else(|why| panic!("{above}: {why}"));
+        let hidden = warnings.iter().filter(|line| line.contains("is hidden") || line.contains("too far"));
+        assert!(hidden.count() >= told, "{above}: {warnings:?}");
+    }
+}
