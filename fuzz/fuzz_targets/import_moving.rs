@@ -167,6 +167,7 @@ impl Choices<'_> {
         Ok(format!(r#"{{"channels":[{}],"samplers":[{}]}}"#, channels.join(","), samplers.join(",")))
     }
 
+    /// A whole file.
     fn file(&mut self) -> Result<Vec<u8>> {
         let modes = ["OPAQUE", "MASK", "BLEND", "HAZE"];
         let mode = *self.0.choose(&modes)?;
@@ -199,8 +200,21 @@ impl Choices<'_> {
     }
 }
 
+/// The bytes, and then as many more as a file can need, which they determine: where choices end, all would be the first.
+fn endless(bytes: &[u8]) -> Vec<u8> {
+    let mut state = bytes
+        .iter()
+        .fold(0x9e37_79b9_7f4a_7c15_u64, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3));
+    let more = std::iter::repeat_with(|| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 32) as u8
+    });
+    bytes.iter().copied().chain(more.take(4096)).collect()
+}
+
 fuzz_target!(|bytes: &[u8]| {
-    if let Ok(file) = Choices(Unstructured::new(bytes)).file() {
-        container::import(&file);
-    }
+    let file = Choices(Unstructured::new(&endless(bytes))).file();
+    container::import(&file.expect("there are choices enough"));
 });

@@ -245,3 +245,17 @@ fn masks_are_right_under_every_light_filter_and_layer() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
+
+#[test]
+fn what_covers_half_is_seen_and_what_covers_less_is_looked_through() {
+    let gpu = Gpu::new(None).expect("an adapter: run scripts/setup");
+    // The card's shadow lies right below it, and only an eye that looks through the card sees it.
+    let overhead = Light::sun(Vec3::new(0.01, -1.0, 0.0), 3.0);
+    let [thin, thick] = [0.4, 0.6]
+        .map(|share| judged(&gpu, &card(blend(share)).scene(overhead.clone()), &Settings::default()));
+    let partial = |judged: &Judged| judged.measurement.truth.partial;
+    let pixels_of_card = 5900;
+    assert!(partial(&thin) > pixels_of_card * 9 / 10, "{:?}", thin.measurement.truth);
+    assert!(partial(&thick) < pixels_of_card / 10, "{:?}", thick.measurement.truth);
+    assert_eq!([&thin, &thick].map(|judged| fault(judged, (0.01, 0.03))), [None, None]);
+}

@@ -1,5 +1,5 @@
 // Casters that do not cover all of their place: where that is, their base colour's alpha says. It needs `caster.wgsl`,
-// `material.wgsl` and `cover/edge_exact.wgsl`.
+// `material.wgsl`.
 
 struct CutCaster {
     @builtin(position) clip: vec4f,
@@ -25,7 +25,7 @@ fn cut_caster(
 @fragment
 fn cut_out(caster: CutCaster) {
     umbrage_caster_fragment(caster.clip);
-    if edge_coverage(cut_colour(caster.uv).a * caster.alpha) <= 0.0 {
+    if coverage(exact_alpha(caster.uv) * caster.alpha) < 0.5 {
         discard;
     }
 }
@@ -34,7 +34,7 @@ fn cut_out(caster: CutCaster) {
 @fragment
 fn dither(caster: CutCaster) {
     umbrage_caster_fragment(caster.clip);
-    if !umbrage_caster_covers(caster.clip, caster.id, coverage(cut_colour(caster.uv).a * caster.alpha)) {
+    if !umbrage_caster_covers(caster.clip, caster.id, coverage(exact_alpha(caster.uv) * caster.alpha)) {
         discard;
     }
 }

@@ -31,6 +31,14 @@ struct Material {
 @group(2) @binding(1) var base_texture: texture_2d<f32>;
 @group(2) @binding(2) var base_sampler: sampler;
 
+/// The alpha of the base colour's picture, as red: for whoever wants alpha alone.
+@group(2) @binding(7) var alpha_texture: texture_2d<f32>;
+
+/// The alpha of the base colour, of the picture itself whatever the distance, as rays see it.
+fn exact_alpha(uv: vec2f) -> f32 {
+    return material.base_colour.a * textureSampleLevel(alpha_texture, base_sampler, uv, 0.0).r;
+}
+
 /// The base colour, linear RGBA.
 fn base_colour(uv: vec2f) -> vec4f {
     return material.base_colour * textureSample(base_texture, base_sampler, uv);

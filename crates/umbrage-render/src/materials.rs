@@ -57,6 +57,7 @@ impl Materials {
             ];
             let [base, metallic_roughness, normal, occlusion, emission] =
                 views.each_ref().map(wgpu::BindingResource::TextureView);
+            let alpha = pictures.alpha(material);
             let mut uniform = UniformBuffer::new(Vec::new());
             uniform.write(&gpu_material(material)).map_err(|e| RenderError::Device(e.to_string()))?;
             let numbers = filled(gpu, "materials", &uniform.into_inner(), wgpu::BufferUsages::UNIFORM)?;
@@ -68,6 +69,7 @@ impl Materials {
                 normal,
                 occlusion,
                 emission,
+                wgpu::BindingResource::TextureView(&alpha),
             ];
             Ok(gpu.bind_group("Materials::group", &layout, resources))
         };
@@ -84,7 +86,7 @@ fn layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
     };
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
     let numbers = binding(wgpu::BufferBindingType::Uniform);
-    let types = [numbers, texture, sampler, texture, texture, texture, texture];
+    let types = [numbers, texture, sampler, texture, texture, texture, texture, texture];
     gpu.layout("Materials::layout", types.map(|ty| (wgpu::ShaderStages::FRAGMENT, ty)))
 }
 
@@ -162,6 +164,8 @@ struct Pictures<'a> {
     gpu: &'a Gpu,
     textures: &'a [Texture],
     uploaded: HashMap<(usize, Numbers), wgpu::TextureView>,
+    /// The alphas of textures that were asked for them.
+    alphas: HashMap<usize, wgpu::TextureView>,
     /// Where there is no picture: it changes nothing.
     white: wgpu::TextureView,
 }
@@ -169,7 +173,7 @@ struct Pictures<'a> {
 impl<'a> Pictures<'a> {
     fn new(gpu: &'a Gpu, textures: &'a [Texture]) -> Self {
         let white = textures::upload(gpu, 1, 1, &[255; 4], Numbers::Linear);
-        Self { gpu, textures, uploaded: HashMap::new(), white }
+        Self { gpu, textures, uploaded: HashMap::new(), alphas: HashMap::new(), white }
     }
 
     fn view(&mut self, texture: Option<usize>, numbers: Numbers) -> Result<wgpu::TextureView, RenderError> {
@@ -188,6 +192,15 @@ impl<'a> Pictures<'a> {
         let view = textures::upload(self.gpu, *width, *height, rgba, numbers);
         self.uploaded.insert((i, numbers), view.clone());
         Ok(view)
+    }
+
+    /// The alpha of a material's picture, where alpha counts for something; its size was checked with the colours.
+    fn alpha(&mut self, material: &Material) -> wgpu::TextureView {
+        let counts = !matches!(material.alpha, Alpha::Opaque);
+        let picture = material.texture.filter(|_| counts).and_then(|i| Some((i, self.textures.get(i)?)));
+        let Some((i, Texture { name: _, width, height, rgba })) = picture else { return self.white.clone() };
+        let upload = || textures::upload_alpha(self.gpu, *width, *height, rgba);
+        self.alphas.entry(i).or_insert_with(upload).clone()
     }
 }
 

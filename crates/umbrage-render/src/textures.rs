@@ -33,7 +33,7 @@ impl Numbers {
     }
 }
 
-/// A picture of a mip chain: width, height, and four bytes a texel.
+/// A picture of a mip chain: width, height, and the bytes of its texels.
 type Level = (u32, u32, Vec<u8>);
 
 /// Halves a picture until it is one pixel; the mean of colours is taken of linear light, as they mix on screen. Masks cover as
@@ -102,24 +102,34 @@ fn srgb_from_linear(l: f32) -> f32 {
     if l <= 0.0031308 { l * 12.92 } else { 1.055 * l.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// A texture with its mip-maps on the GPU.
+/// Uploads a picture with its mip-maps.
 pub(crate) fn upload(gpu: &Gpu, width: u32, height: u32, rgba: &[u8], numbers: Numbers) -> wgpu::TextureView {
-    let chain = mip_chain(width, height, rgba, numbers);
+    let format = match numbers.are_colours() {
+        true => wgpu::TextureFormat::Rgba8UnormSrgb,
+        false => wgpu::TextureFormat::Rgba8Unorm,
+    };
+    upload_levels(gpu, format, &mip_chain(width, height, rgba, numbers))
+}
+
+/// Uploads the alpha of a picture as red, and nothing else: passes over depth want no more, and each at a quarter of the bytes.
+pub(crate) fn upload_alpha(gpu: &Gpu, width: u32, height: u32, rgba: &[u8]) -> wgpu::TextureView {
+    let alpha = rgba.iter().skip(3).step_by(4).copied().collect();
+    upload_levels(gpu, wgpu::TextureFormat::R8Unorm, &[(width, height, alpha)])
+}
+
+fn upload_levels(gpu: &Gpu, format: wgpu::TextureFormat, levels: &[Level]) -> wgpu::TextureView {
+    let size = |width, height| wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = gpu.texture(&wgpu::TextureDescriptor {
         label: Some("textures::texture"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: chain.len() as u32,
+        size: levels.first().map_or(size(1, 1), |(width, height, _)| size(*width, *height)),
+        mip_level_count: levels.len() as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: if numbers.are_colours() {
-            wgpu::TextureFormat::Rgba8UnormSrgb
-        } else {
-            wgpu::TextureFormat::Rgba8Unorm
-        },
+        format,
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    for (level, (width, height, rgba)) in (0..).zip(&chain) {
+    for (level, (width, height, bytes)) in (0..).zip(levels) {
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo {
                 texture: &texture,
@@ -127,13 +137,13 @@ pub(crate) fn upload(gpu: &Gpu, width: u32, height: u32, rgba: &[u8], numbers: N
                 origin: wgpu::Origin3d::ZERO,
                 aspect: wgpu::TextureAspect::All,
             },
-            rgba,
+            bytes,
             wgpu::TexelCopyBufferLayout {
                 offset: 0,
-                bytes_per_row: Some(width * 4),
+                bytes_per_row: format.block_copy_size(None).map(|texel| width * texel),
                 rows_per_image: Some(*height),
             },
-            wgpu::Extent3d { width: *width, height: *height, depth_or_array_layers: 1 },
+            size(*width, *height),
         );
     }
     texture.create_view(&wgpu::TextureViewDescriptor::default())

@@ -151,7 +151,7 @@ fn what_a_skin_lacks_is_one_warning_and_the_mesh_stays() {
         (r#"{"joints": [1, 2], "inverseBindMatrices": 9}"#, "accessor 9 of", None),
         (
             r#"{"joints": [1, 2], "inverseBindMatrices": 3}"#,
-            "joint 1 of skin 0 has no finite inverse",
+            "joint 1 of skin 0 has no inverse bind matrix of finite",
             Some(first),
         ),
         (r#"{"joints": [1, 2], "inverseBindMatrices": 4}"#, "16777216 inverse bind matrices for 2", None),

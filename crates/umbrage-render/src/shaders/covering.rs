@@ -98,7 +98,7 @@ pub(crate) fn depth(cover: Cover) -> String {
         Cover::Solid => [SCENE, RECEIVER].join("\n"),
         Cover::Cut | Cover::Veil => {
             let cut = include_str!("../../shaders/cover/cut_depth.wgsl");
-            [SCENE, RECEIVER, MATERIAL, COLOURED, EDGE_EXACT, cut].join("\n")
+            [SCENE, RECEIVER, MATERIAL, COLOURED, cut].join("\n")
         }
     }
 }
@@ -110,7 +110,7 @@ pub(crate) fn casters(library: &str, cover: Cover) -> String {
         Cover::Solid => [library, caster].concat(),
         Cover::Cut | Cover::Veil => {
             let cut = include_str!("../../shaders/caster_cut.wgsl");
-            [library, caster, MATERIAL, EDGE_EXACT, cut].concat()
+            [library, caster, MATERIAL, cut].concat()
         }
     }
 }

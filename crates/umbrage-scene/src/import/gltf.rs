@@ -3,6 +3,7 @@
 
 mod accessors;
 mod animations;
+mod bending;
 mod bent;
 mod chunks;
 mod concerns;

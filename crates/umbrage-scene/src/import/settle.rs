@@ -4,7 +4,7 @@
 
 use std::collections::HashMap;
 
-use glam::DMat4;
+use glam::{DMat4, Mat4};
 
 use super::budget::Budget;
 use super::domes;
@@ -14,7 +14,7 @@ use super::flatten::{self, Stretch};
 use super::recentre::Rebased;
 use super::warnings::Warnings;
 use crate::error::Fault;
-use crate::{Instance, Scene};
+use crate::{Instance, Motion, Scene};
 
 /// Coordinates beyond this, metres, are a mistake, and their cubes would overflow.
 pub(super) const FARTHEST: f64 = 1e12;
@@ -36,7 +36,8 @@ pub(super) fn settle(
         let world_from_mesh = placed.world_from_mesh(rebased, &draft);
         note_coarse(placed, rebased, &world_from_mesh, scene, warnings);
         let reach = placed.extent(Extent::of(scene.meshes[placed.what].bounds), rebased, &draft).reach();
-        if reach.is_nan() || reach > FARTHEST {
+        let hangs_near = placed.hang.is_none_or(|hang| hang.node_from_it.abs_diff_eq(DMat4::ZERO, FARTHEST));
+        if reach.is_nan() || reach > FARTHEST || !hangs_near {
             let what = "instances that reach too far are left out";
             warnings.note(what, &format!("{} to {reach:e} m, need at most {FARTHEST:e} m", placed.label));
             continue;
@@ -76,7 +77,11 @@ pub(super) fn settle(
         }
     }
     for (light, pose) in lights {
-        if is_near(&pose) {
+        let hangs_near = match light.motion {
+            Motion::Node { node_from_thing, .. } => node_from_thing.abs_diff_eq(Mat4::ZERO, FARTHEST as f32),
+            Motion::Still | Motion::Rotation { .. } | Motion::Skin { .. } => true,
+        };
+        if is_near(&pose) && hangs_near {
             let light = crate::Light { world_from_light: pose.as_mat4(), ..light };
             let world_from_light = light.world_from_light_in(&at_start);
             scene.lights.push(crate::Light { world_from_light, ..light });
@@ -137,7 +142,7 @@ mod tests {
     use glam::{DVec3, Vec3};
 
     use super::*;
-    use crate::{Mesh, Motion, Primitive};
+    use crate::{Mesh, Primitive};
 
     fn scene() -> Scene {
         let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y];

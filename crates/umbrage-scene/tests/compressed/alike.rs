@@ -61,7 +61,7 @@ pub fn world_triangles(scene: &Scene, instance: &Instance) -> Vec<[Corner; 3]> {
             normal: if joints.is_some() {
                 mesh.normals[i]
             } else {
-                (normal_from_mesh * mesh.normals[i]).normalize()
+                (normal_from_mesh * mesh.normals[i]).normalize_or_zero()
             },
             uv: mesh.uvs[i],
             colour: mesh.colours.get(i).copied().unwrap_or(Vec4::ONE),

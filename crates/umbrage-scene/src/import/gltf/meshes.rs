@@ -13,16 +13,17 @@ use gltf::json::validation::Checked;
 use gltf::json::{Accessor, Index};
 
 use super::accessors::Data;
+use super::bending::{Bender, Bending};
 use super::bent::Bent;
 use super::influences;
 use super::materials::{Mapping, Surfaces};
-use super::morphs::{self, Displaced};
+use super::morphs;
+use crate::Mesh;
 use crate::error::Fault;
 use crate::import::budget::Budget;
 use crate::import::normals;
 use crate::import::settle::FARTHEST;
 use crate::import::warnings::Warnings;
-use crate::{Influences, Mesh};
 
 /// Reads all meshes of a file, in its order. What of a mesh cannot be read is left out with a warning: a mesh of points
 /// and lines alone has no triangles. Only more than the budget allows stops here.
@@ -37,10 +38,9 @@ pub(super) fn read(
     for (i, json) in data.root.meshes.iter().enumerate() {
         data.progress.step("meshes", i, data.root.meshes.len());
         let name = json.name.clone().unwrap_or_else(|| format!("mesh {i}"));
-        let bent = bent.get(i).copied().unwrap_or_default();
+        let bender = Bender::new(json, bent.get(i).copied().unwrap_or_default());
         let (mesh, known) = (Mesh::empty(&name), HashMap::new());
-        let mut builder = Builder { mesh, bent, sets: 0, known, data, budget, warnings };
-        builder.sets = builder.most_sets(json);
+        let mut builder = Builder { mesh, bender, known, data, budget, warnings };
         for primitive in &json.primitives {
             if let Err(Fault(fault)) = builder.add(primitive, surfaces) {
                 let lost = format!("{fault}, in mesh {name:?}");
@@ -60,10 +60,7 @@ pub(super) fn read(
 /// A mesh that grows by primitives.
 struct Builder<'a> {
     mesh: Mesh,
-    /// What bends the mesh, as far as there is room for it.
-    bent: Bent,
-    /// How many joints each vertex of the mesh has.
-    sets: usize,
+    bender: Bender,
     /// What is in the mesh of these accessors already.
     known: HashMap<Sources, Known>,
     data: &'a Data<'a>,
@@ -88,13 +85,6 @@ struct Sources {
     colours: Option<usize>,
     picture_from_uv: Option<[u32; 6]>,
     bending: Vec<Option<usize>>,
-}
-
-/// What bends the vertices of a primitive, before anyone knows whether they are shared.
-#[derive(Default)]
-struct Bending {
-    influences: Influences,
-    targets: Vec<Displaced>,
 }
 
 /// Vertices in a mesh: where they begin, how many they are, and which of them have no place.
@@ -153,7 +143,7 @@ impl Builder<'_> {
             uvs: uvs.map(|uvs| uvs.value()),
             colours: colours.map(|colours| colours.value()),
             picture_from_uv: mapping.picture_from_uv.map(bits),
-            bending: self.sources_of_bending(primitive),
+            bending: self.bender.sources(primitive),
         };
         if let Some(known) = self.known.get(&sources) {
             return Ok(Some(known.clone()));
@@ -165,7 +155,7 @@ impl Builder<'_> {
         let (positions, extent) = self.positions(positions)?;
         let uvs = self.uvs(uvs, mapping, count);
         let colours = self.colours(colours, count);
-        let Bending { influences, targets } = self.bending(primitive, count, count);
+        let Bending { influences, targets } = self.bending(primitive, (count, count));
         let known = Known { base: self.mesh.positions.len(), extent: Rc::new(extent) };
         self.mesh.positions.extend(positions);
         self.mesh.normals.extend(normals);
@@ -192,7 +182,7 @@ impl Builder<'_> {
         self.budget.vertices(corners.len())?;
         let uvs = self.uvs(uvs, mapping, positions.len());
         let colours = self.colours(colours, positions.len());
-        let Bending { influences, targets } = self.bending(primitive, positions.len(), corners.len());
+        let Bending { influences, targets } = self.bending(primitive, (positions.len(), corners.len()));
         self.mesh.positions.extend(corners.iter().map(|&i| positions[i as usize]));
         self.mesh.uvs.extend(corners.iter().map(|&i| uvs[i as usize]));
         self.mesh.normals.resize(self.mesh.positions.len(), Vec3::ZERO);
@@ -203,51 +193,9 @@ impl Builder<'_> {
         Ok((base, (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()))
     }
 
-    /// How many joints a vertex has that has the most, where a skin bends the mesh.
-    fn most_sets(&self, json: &gltf::json::Mesh) -> usize {
-        let most = json.primitives.iter().map(influences::per_vertex).max().unwrap_or(0);
-        if self.bent.joints.is_some() { most } else { 0 }
-    }
-
-    /// The accessors of what bends a primitive.
-    fn sources_of_bending(&self, primitive: &Primitive) -> Vec<Option<usize>> {
-        let sets = self.bent.joints.map(|_| influences::sets(primitive)).unwrap_or_default();
-        let sets = sets.into_iter().flatten().map(|accessor| Some(accessor.value()));
-        let targets = primitive.targets.iter().flatten().take(self.bent.targets);
-        let of_target = |target: &gltf::json::mesh::MorphTarget| {
-            [target.positions, target.normals].map(|accessor| accessor.map(|accessor| accessor.value()))
-        };
-        sets.chain(targets.flat_map(of_target)).collect()
-    }
-
-    /// Reads what bends the `count` vertices of a primitive, of which `made` become vertices of the mesh. Where there is no
-    /// room for it, nothing of the kind bends the mesh.
-    fn bending(&mut self, primitive: &Primitive, count: usize, made: usize) -> Bending {
-        let Self { mesh, bent, sets, data, budget, warnings, .. } = self;
-        let mut bending = Bending::default();
-        // Vertices without joints or targets get as many as the others.
-        if let Err(Fault(why)) = budget.influences(sets.saturating_mul(made)) {
-            warnings.note(
-                "meshes whose joints find no room stand as they were modelled",
-                &format!("{why}, in mesh {:?}", mesh.name),
-            );
-            (mesh.influences, bent.joints, *sets) = (Influences::default(), None, 0);
-        }
-        if let Err(Fault(why)) = budget.displacements(bent.targets.saturating_mul(made)) {
-            warnings.note(
-                "meshes whose morph targets find no room keep their shape",
-                &format!("{why}, in mesh {:?}", mesh.name),
-            );
-            (mesh.targets, bent.targets) = (Vec::new(), 0);
-        }
-        if let Some(joints) = bent.joints.filter(|_| *sets > 0) {
-            let sets = influences::sets(primitive);
-            bending.influences = influences::read(data, &sets, (count, joints), &mesh.name, warnings);
-        }
-        if bent.targets > 0 {
-            bending.targets = morphs::read(data, primitive, count, &mesh.name, warnings);
-        }
-        bending
+    fn bending(&mut self, primitive: &Primitive, counts: (usize, usize)) -> Bending {
+        let Self { mesh, bender, data, budget, warnings, .. } = self;
+        bender.read(mesh, data, primitive, counts, budget, warnings)
     }
 
     /// The corners of a primitive's triangles, each a position that is finite. The others are left out, and counted.

@@ -7,6 +7,7 @@ use glam::{Mat4, Vec4};
 use super::accessors::Data;
 use super::document::Document;
 use crate::error::Fault;
+use crate::import::settle::FARTHEST;
 use crate::import::warnings::Warnings;
 
 /// A skin of a file.
@@ -43,7 +44,7 @@ pub(super) fn read(
                 let is_there = node < document.root.nodes.len();
                 let lacks = match (is_there, matrix) {
                     (true, Some(matrix)) => return Some((node, matrix)),
-                    (true, None) => "has no finite inverse bind matrix".to_owned(),
+                    (true, None) => "has no inverse bind matrix of finite numbers up to 1e12".to_owned(),
                     (false, _) => format!("is node {node} of {}", document.root.nodes.len()),
                 };
                 warnings.note(MISSING, &format!("joint {k} of skin {i} {lacks}"));
@@ -73,11 +74,11 @@ fn matrices(skin: &gltf::json::Skin, data: &Data<'_>) -> Result<Vec<Option<Mat4>
     Ok(matrices)
 }
 
-/// The matrix with the last row that it should have, if it is finite.
+/// The matrix with the last row that it should have, if its numbers are ones that things are moved by.
 fn affine(columns: &[f32; 16]) -> Option<Mat4> {
     let mut matrix = Mat4::from_cols_array(columns);
     for (i, w) in Vec4::W.to_array().into_iter().enumerate() {
         matrix.col_mut(i).w = w;
     }
-    matrix.is_finite().then_some(matrix)
+    matrix.abs_diff_eq(Mat4::ZERO, FARTHEST as f32).then_some(matrix)
 }
