@@ -18,7 +18,7 @@ use super::stage::{Stage, View};
 use crate::Scene;
 use crate::shape::Ground;
 
-const VIEW: View = View { fov_degrees: 65.0, near: 0.15, far: 80.0 };
+const VIEW: View = View { fov_degrees: 65.0, near: 0.3, far: 45.0 };
 const SIDE: f32 = 48.0;
 /// Half of the court, and of what the outer walls stand on, on the plan.
 const COURT: Vec2 = Vec2::new(10.0, 6.0);

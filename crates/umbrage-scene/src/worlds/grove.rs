@@ -24,7 +24,7 @@ use super::stage::{Stage, View, standing};
 use crate::Scene;
 use crate::shape::Ground;
 
-const VIEW: View = View { fov_degrees: 60.0, near: 0.3, far: 620.0 };
+const VIEW: View = View { fov_degrees: 60.0, near: 0.3, far: 560.0 };
 /// Down at the ground, which is near.
 const GROUND: View = View { fov_degrees: 45.0, near: 0.3, far: 70.0 };
 /// From above, at everything.
@@ -32,7 +32,7 @@ const ABOVE: View = View { fov_degrees: 36.0, near: 1.0, far: 1000.0 };
 /// Where the main camera stands, on the plan.
 const OUTLOOK: Vec2 = Vec2::new(0.0, 250.0);
 /// The trees at 10, 100 and 400 m from there, on the plan, and their sizes: the nearest is young.
-const SIZES: [f32; 3] = [0.54, 1.0, 1.25];
+const SIZES: [f32; 3] = [0.5, 1.0, 1.25];
 const TREES: [Vec2; 3] = [Vec2::new(-6.58, 244.05), Vec2::new(-16.0, 151.3), Vec2::new(-34.0, -145.5)];
 /// The other trees whose boughs sway.
 const SWAYING: [Vec2; 5] = [

@@ -29,11 +29,11 @@ const TABLE: [Row; 17] = [
     // A quarter of the land is 5.12 km wide.
     ("survey", 953_000, 26.2144, 3138, 0, [1.0, 5000.0]),
     // Eight trees of 17 boughs, three poplars and five swathes of tall grass move in the wind.
-    ("grove", 250_744, 1.0, 4038, 8 * 17 + 3 + 5, [0.3, 620.0]),
+    ("grove", 248_904, 1.0, 3923, 8 * 17 + 3 + 5, [0.3, 560.0]),
     // People, flags and bunting, a carousel with horses, signs, pinwheels and bulbs.
-    ("village-fair", 338_000, 0.0144, 219, 100 + 12 + 13 + 7 + 4 + 11, [0.25, 200.0]),
+    ("village-fair", 338_000, 0.0144, 219, 100 + 12 + 13 + 7 + 4 + 11, [0.25, 110.0]),
     // Five hangings move in the draught.
-    ("atrium", 67_456, 0.002304, 130, 5, [0.15, 80.0]),
+    ("atrium", 67_456, 0.002304, 130, 5, [0.3, 45.0]),
 ];
 
 /// The surfaces that others stand on.

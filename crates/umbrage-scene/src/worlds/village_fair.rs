@@ -24,7 +24,7 @@ use super::stage::{Stage, View};
 use crate::Scene;
 use crate::shape::Ground;
 
-const VIEW: View = View { fov_degrees: 60.0, near: 0.25, far: 200.0 };
+const VIEW: View = View { fov_degrees: 60.0, near: 0.25, far: 110.0 };
 const SIDE: f32 = 120.0;
 /// After so many seconds everything begins again: a turn of the carousel, 20 steps, 16 claps.
 const ROUND_SECONDS: f32 = 24.0;
@@ -34,7 +34,7 @@ const MAYPOLE: Vec2 = Vec2::new(-4.0, 3.0);
 const STAGE: Vec2 = Vec2::new(-2.0, -17.0);
 
 pub(super) fn build(seed: u64) -> Scene {
-    let mut stage = Stage::new("village-fair", seed, VIEW, Vec3::new(0.82, -0.3, -0.4));
+    let mut stage = Stage::new("village-fair", seed, VIEW, Vec3::new(0.82, -0.48, -0.4));
     stage.scene.lights[0].colour = Vec3::new(1.0, 0.86, 0.68);
     let green = stage.textured(green());
     stage.ground(&Ground::new(SIDE, 1800, |_| 0.0).primitives(green, 8.0));

@@ -13,7 +13,7 @@ use crate::{Alpha, Material, Mesh};
 
 /// Panes of the roof: along the ridge, and down each side.
 const ROOF: [u32; 2] = [20, 4];
-/// Panes of the wall, and how many of a row are in the door.
+/// Panes of the wall, in a row and above each other.
 const WALL: [u32; 2] = [18, 6];
 
 /// Materials of panes: clear, tinted, and dim.
@@ -39,9 +39,9 @@ impl Panes {
         }
     }
 
-    /// Which pane is where: of twelve, nine are clear, two are tinted, and one is dim.
+    /// Which pane is where: of 24, two are tinted, one is dim, and the others are clear.
     fn any(&self, dice: &mut Dice) -> usize {
-        match dice.pick(12) {
+        match dice.pick(24) {
             0 | 1 => self.tinted,
             2 => self.dim,
             3.. => self.clear,

@@ -10,7 +10,7 @@ use crate::worlds::cards::Cards;
 use crate::worlds::stage::{Stage, standing};
 
 /// Where the fence begins and where it goes, on the plan.
-const START: Vec2 = Vec2::new(16.0, 230.0);
+const START: Vec2 = Vec2::new(30.0, 222.0);
 const ALONG: Vec2 = Vec2::new(0.8, -0.6);
 /// Quads, and how long each is.
 pub(super) const PANELS: usize = 7;

@@ -11,7 +11,7 @@ use crate::worlds::rigging::Moves;
 use crate::worlds::stage::Stage;
 use crate::{Mesh, MorphTarget, Primitive};
 
-const TUFTS: usize = 900;
+const TUFTS: usize = 640;
 /// Tufts grow so far from the main camera.
 const FIELD: f32 = 110.0;
 
