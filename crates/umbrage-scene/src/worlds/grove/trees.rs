@@ -68,7 +68,7 @@ pub(super) fn boughs(dice: &mut Dice) -> Vec<Bough> {
         let yaw = i as f32 * 2.399_963 + dice.between(-0.3, 0.3);
         let long = (1.15 - 0.35 * share) * dice.between(0.9, 1.1);
         let wide = long * dice.between(0.9, 1.1);
-        let scale = Vec3::new(if i % 2 == 0 { wide } else { -wide }, wide, long);
+        let scale = Vec3::new(if i.is_multiple_of(2) { wide } else { -wide }, wide, long);
         Bough { at, rotation: Quat::from_rotation_y(yaw) * Quat::from_rotation_x(pitch), scale }
     };
     (0..BOUGHS).map(place).collect()

@@ -20,7 +20,11 @@ const EAVES: f32 = 2.25;
 /// Where a stall stands on the plan, and how it is turned from facing +Z.
 fn stall(i: usize) -> (Vec2, f32) {
     let along = -9.0 + 4.7 * (i / 2) as f32;
-    if i % 2 == 0 { (Vec2::new(-14.5, along), FRAC_PI_2) } else { (Vec2::new(20.0, along - 1.0), -FRAC_PI_2) }
+    if i.is_multiple_of(2) {
+        (Vec2::new(-14.5, along), FRAC_PI_2)
+    } else {
+        (Vec2::new(20.0, along - 1.0), -FRAC_PI_2)
+    }
 }
 
 /// Where buyers stand, and how the stall behind them is turned.
