@@ -41,7 +41,6 @@ mod gpu;
 mod light;
 mod materials;
 mod metering;
-mod mip_coverage;
 mod palette;
 mod passes;
 mod picture;

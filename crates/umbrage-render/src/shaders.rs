@@ -259,13 +259,8 @@ mod tests {
         (Finish::Glossy, Around::Picture),
     ];
 
-    const COVERINGS: [Covering; 5] = [
-        Covering::Solid,
-        Covering::Cut(Edge::Exact),
-        Covering::Cut(Edge::Hard),
-        Covering::Cut(Edge::Smooth),
-        Covering::Veil,
-    ];
+    const COVERINGS: [Covering; 4] =
+        [Covering::Solid, Covering::Cut(Edge::Exact), Covering::Cut(Edge::Smooth), Covering::Veil];
 
     fn check(text: &str) {
         let module =

@@ -1,7 +1,6 @@
 //! Textures with mip-maps that are made on the CPU.
 
 use crate::gpu::Gpu;
-use crate::mip_coverage::Coverage;
 
 /// What the numbers of a picture mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -36,25 +35,31 @@ impl Numbers {
 /// A picture of a mip chain: width, height, and the bytes of its texels.
 type Level = (u32, u32, Vec<u8>);
 
-/// Halves a picture until it is one pixel; the mean of colours is taken of linear light, as they mix on screen. Masks cover as
-/// much in every level as in the first.
+/// Halves a picture until it is one pixel; the mean of colours is taken of linear light, as they mix on screen. The alpha of a
+/// mask is, in all levels but the first, the share that covers: so nothing thins out with distance, or closes up.
 pub(crate) fn mip_chain(width: u32, height: u32, rgba: &[u8], numbers: Numbers) -> Vec<Level> {
+    let first = match numbers {
+        Numbers::Mask(cut) => cut_out(rgba, cut),
+        Numbers::Srgb | Numbers::Veil | Numbers::Linear => rgba.to_vec(),
+    };
     let mut chain = vec![(width, height, rgba.to_vec())];
-    while let Some((width, height, above)) = chain.last()
-        && (*width > 1 || *height > 1)
-    {
-        chain.push(halved(*width, *height, above, numbers));
-    }
-    if let Numbers::Mask(cut) = numbers {
-        let coverage = Coverage::of(width, height, rgba, cut);
-        for (width, height, rgba) in &mut chain[1..] {
-            coverage.keep(*width, *height, rgba);
-        }
+    let mut above = (width, height, first);
+    while above.0 > 1 || above.1 > 1 {
+        above = halved(&above, numbers);
+        chain.push(above.clone());
     }
     chain
 }
 
-fn halved(width: u32, height: u32, above: &[u8], numbers: Numbers) -> Level {
+/// A picture whose alpha is 255 where a mask covers, and 0 elsewhere.
+fn cut_out(rgba: &[u8], cut: u8) -> Vec<u8> {
+    let texel =
+        |[red, green, blue, alpha]: &[u8; 4]| [*red, *green, *blue, if *alpha >= cut { 255 } else { 0 }];
+    rgba.as_chunks().0.iter().flat_map(texel).collect()
+}
+
+fn halved((width, height, above): &Level, numbers: Numbers) -> Level {
+    let (width, height) = (*width, *height);
     let is_srgb = |channel: usize| channel != 3 && numbers.are_colours();
     let to_linear: [f32; 256] = std::array::from_fn(|i| linear_from_srgb(i as f32 / 255.0));
     let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
@@ -174,6 +179,26 @@ mod tests {
         assert_eq!(mip_chain(2, 2, &picture, Numbers::Veil)[1].2, [200, 100, 50, 64]);
         assert_eq!(mip_chain(2, 2, &picture, Numbers::Srgb)[1].2[3], 64);
         assert_ne!(mip_chain(2, 2, &picture, Numbers::Srgb)[1].2[0], 200);
+    }
+
+    #[test]
+    fn masks_cover_as_much_in_every_level() {
+        // A link of a fence crosses each 8 by 8 texels, and fades a little beside its middle.
+        let alpha = |i: usize| [255, 160, 90, 0, 0, 0, 90, 160][(i % 64 + i / 64) % 8];
+        let fence: Vec<u8> = (0..4096).flat_map(|i| [200, 200, 200, alpha(i)]).collect();
+        for (cut, share) in [(128, 3.0 / 8.0), (200, 1.0 / 8.0), (50, 5.0 / 8.0)] {
+            for (width, _, rgba) in &mip_chain(64, 64, &fence, Numbers::Mask(cut))[1..] {
+                let alphas: Vec<f32> =
+                    rgba.iter().skip(3).step_by(4).map(|alpha| f32::from(*alpha)).collect();
+                let mean = alphas.iter().sum::<f32>() / alphas.len() as f32 / 255.0;
+                assert!((mean - share).abs() < 0.01, "cut {cut}: {mean} at {width}, not {share}");
+            }
+        }
+        assert_eq!(
+            mip_chain(64, 64, &fence, Numbers::Mask(128))[0].2,
+            fence,
+            "the first level stays as it is"
+        );
     }
 
     #[test]

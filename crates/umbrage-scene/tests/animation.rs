@@ -361,3 +361,48 @@ fn a_scene_that_is_hidden_at_the_start_is_seen_by_its_camera() {
         camera.world_from_camera.inverse().transform_point3(scene.bounds_in(&scene.pose(1.0)).centre());
     assert!(-seen.z > camera.near && -seen.z < camera.far && seen.truncate().length() < 1.0, "{seen}");
 }
+
+#[test]
+fn what_an_animation_throws_beyond_all_bounds_is_not_what_the_camera_looks_at() {
+    // At rest it is as large as a small town.
+    for (nodes, what) in [
+        (r#"{"mesh": 0}, {"children": [2]}, {"mesh": 0, "scale": [1e3, 1e3, 1e3]}"#, "1e15 m"),
+        (r#"{"mesh": 0}, {"children": [2]}, {"mesh": 0, "scale": [1e10, 1e10, 1e10]}"#, "1e22 m"),
+        (r#"{"mesh": 0}, {"children": [2]}, {"mesh": 0, "scale": [1e-9, 1e4, 1]}"#, "a needle"),
+    ] {
+        let mut doc = Doc::triangle();
+        let times = scalars(&mut doc, &[0.0]);
+        let scales = vectors(&mut doc, &[1e12, 1e12, 1e12]);
+        doc.nodes = nodes.to_owned();
+        animate(&mut doc, &[Channel(r#""node": 1, "path": "scale""#, times, scales, "")]);
+        let Imported { scene, warnings } = doc.load().unwrap();
+        let camera = &scene.cameras[0];
+        assert!(camera.far.is_finite() && camera.near < 1.0, "{what}: {camera:?}, {warnings:?}");
+        let eye = camera.world_from_camera.w_axis.truncate();
+        assert!(eye.length() < 10.0, "{what}: {camera:?}");
+        umbrage_scene::to_glb(&scene).unwrap();
+    }
+}
+
+#[test]
+fn what_hangs_on_nodes_that_stand_beyond_all_bounds_is_hidden() {
+    for (above, told) in [
+        (r#""scale": [1e30, 1e30, 1e30]"#, 1),
+        (r#""translation": [1e35, 0, 0]"#, 1),
+        (r#""matrix": [1e30,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"#, 1),
+        (r#""scale": [1e11, 1e11, 1e11]"#, 0),
+    ] {
+        let mut doc = Doc::triangle();
+        let times = scalars(&mut doc, &[0.0, 1.0]);
+        let scales = vectors(&mut doc, &[1.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
+        doc.nodes = format!(
+            r#"{{"mesh": 0}}, {{"children": [2], {above}}}, {{"children": [3], {above}}},
+            {{"children": [4]}}, {{"mesh": 0, "scale": [1e-20, 1e-20, 1e-20]}}"#
+        );
+        animate(&mut doc, &[Channel(r#""node": 3, "path": "scale""#, times, scales, "")]);
+        let Imported { scene, warnings } = doc.load().unwrap();
+        umbrage_scene::to_glb(&scene).unwrap_or_else(|why| panic!("{above}: {why}"));
+        let hidden = warnings.iter().filter(|line| line.contains("is hidden") || line.contains("too far"));
+        assert!(hidden.count() >= told, "{above}: {warnings:?}");
+    }
+}

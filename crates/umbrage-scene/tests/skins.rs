@@ -319,3 +319,15 @@ fn targets_and_joints_beyond_the_budget_leave_the_mesh_as_it_was_modelled() {
     let Mesh { targets, positions, .. } = &scene.meshes[0];
     assert!(targets.is_empty() && positions.len() >= 3, "{} targets", targets.len());
 }
+
+#[test]
+fn a_shape_that_reaches_too_far_is_left_out() {
+    for (weights, count) in [("[1e9]", 2), ("[1e12]", 1), ("[-1e12]", 1), ("[1e30]", 2)] {
+        let mut doc = morphed(&[[0.0; 3], [0.0; 3], [0.0, 4.0, 0.0]].concat(), "", r#", "name": "tower""#);
+        doc.nodes += r#", {"mesh": 0, "weights": [0]}"#;
+        let Imported { scene, warnings } = with_mesh_weights(&doc, weights);
+        assert_eq!(scene.instances.len(), count, "{weights}: {warnings:?}");
+        assert!(scene.cameras[0].world_from_camera.is_finite(), "{weights}");
+        assert_eq!(warnings.iter().filter(|line| line.contains("reach too far")).count(), 2 - count);
+    }
+}

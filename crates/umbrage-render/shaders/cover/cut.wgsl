@@ -4,11 +4,10 @@
 @fragment
 fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
     let facing = geometric_normal(receiver.from_eye);
-    let base = cut_colour(receiver.uv) * colour;
-    let edge = edge_coverage(base.a);
-    let seen = shown(base.rgb, receiver, facing);
-    if edge <= 0.0 {
+    let cut = cut_colour(receiver.uv, colour);
+    let seen = shown(cut.rgb, receiver, facing);
+    if cut.a <= 0.0 {
         discard;
     }
-    return vec4f(seen.rgb, edge);
+    return vec4f(seen.rgb, cut.a);
 }

@@ -1,11 +1,7 @@
-// Edges where they are, whatever the distance: for pictures that are compared with rays. It needs `material.wgsl`.
+// Edges where they are, whatever the distance: as a ray a pixel sees them. It needs `material.wgsl`.
 
-/// The base colour, linear RGBA, of the picture itself.
-fn cut_colour(uv: vec2f) -> vec4f {
-    return material.base_colour * textureSampleLevel(base_texture, base_sampler, uv, 0.0);
-}
-
-/// 1 where the surface covers at least half of its place, 0 elsewhere.
-fn edge_coverage(alpha: f32) -> f32 {
-    return select(0.0, 1.0, coverage(alpha) >= 0.5);
+/// The base colour of a place where the vertices have a colour, linear RGB; and 1 where the surface covers at least half of it, or 0.
+fn cut_colour(uv: vec2f, colour: vec4f) -> vec4f {
+    let texel = material.base_colour * textureSampleLevel(base_texture, base_sampler, uv, 0.0) * colour;
+    return vec4f(texel.rgb, select(0.0, 1.0, coverage(texel.a) >= 0.5));
 }

@@ -18,11 +18,9 @@ pub(crate) enum Covering {
 /// Where the edge of what is cut out lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
-    /// It lies where the picture of the material has it, whatever the distance, as rays see it.
+    /// It lies where the picture of the material has it, whatever the distance: as a ray a pixel sees it.
     Exact,
-    /// It lies where the mip level has it, for one sample a pixel.
-    Hard,
-    /// It lies where the mip level has it, and alpha says which share of a pixel's samples is covered.
+    /// Alpha says which share of a pixel's samples is covered.
     Smooth,
 }
 
@@ -33,7 +31,7 @@ impl Covering {
         let edge = match look {
             Look::Visibility | Look::Given => Edge::Exact,
             Look::World | Look::Unshadowed | Look::Marked(_) if samples > 1 => Edge::Smooth,
-            Look::World | Look::Unshadowed | Look::Marked(_) => Edge::Hard,
+            Look::World | Look::Unshadowed | Look::Marked(_) => Edge::Exact,
         };
         match cover {
             Cover::Solid => Self::Solid,
@@ -80,9 +78,6 @@ pub(super) fn text(look: Look, finish: Finish, covering: Covering) -> String {
         (Covering::Solid, true) => &[include_str!("../../shaders/cover/bare.wgsl")],
         (Covering::Solid, false) => &[COLOURED, include_str!("../../shaders/cover/solid_coloured.wgsl")],
         (Covering::Cut(Edge::Exact), _) => &[COLOURED, EDGE_EXACT, CUT],
-        (Covering::Cut(Edge::Hard), _) => {
-            &[COLOURED, include_str!("../../shaders/cover/edge_hard.wgsl"), CUT]
-        }
         (Covering::Cut(Edge::Smooth), _) => {
             &[COLOURED, include_str!("../../shaders/cover/edge_smooth.wgsl"), CUT]
         }

@@ -91,6 +91,12 @@ impl Placed {
         skin.joints.first().map(|(node, _)| *node)
     }
 
+    /// How far morph targets, which move a vertex so far at most, move one at 0 s.
+    pub fn displacement(&self, targets: &[f64], draft: &Draft) -> f64 {
+        let weights = self.hang.map_or(&[][..], |hang| draft.pose.weights(hang.node));
+        targets.iter().zip(weights).map(|(by, weight)| by * f64::from(weight.abs())).sum()
+    }
+
     /// The box around the mesh, or a part of it, at 0 s, measured from the draft's origin; a little too large where a skin
     /// bends it.
     pub fn extent(&self, part: Extent, rebased: &Rebased, draft: &Draft) -> Extent {

@@ -32,6 +32,11 @@ impl Extent {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// The box with so much room around it.
+    pub fn widened(self, by: f64) -> Self {
+        Self { min: self.min - by, max: self.max + by }
+    }
+
     pub fn centre(&self) -> DVec3 {
         self.min * 0.5 + self.max * 0.5
     }

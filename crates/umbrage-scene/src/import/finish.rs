@@ -7,6 +7,7 @@ use std::f32::consts::{FRAC_PI_2, FRAC_PI_3};
 use glam::{Quat, Vec3};
 
 use super::extent::{self, Extent};
+use super::settle::FARTHEST;
 use super::warnings::Warnings;
 use crate::error::Fault;
 use crate::{Aabb, Camera, CameraPath, Instance, Light, PathKey, Scene};
@@ -33,7 +34,7 @@ pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), F
     }
     let bounds = bounds(scene);
     let size = 2.0 * radius(bounds);
-    if size.is_nan() || size < SMALLEST {
+    if !size.is_finite() || size < SMALLEST {
         return Err(Fault(format!(
             "no triangles in the scene, it is {size:e} m across, need {SMALLEST:e} m"
         )));
@@ -69,12 +70,18 @@ pub(super) fn finish(scene: &mut Scene, warnings: &mut Warnings) -> Result<(), F
 
 /// The box around everything at time 0; where all is hidden then, around all that will be seen.
 fn bounds(scene: &Scene) -> Aabb {
-    let seen = scene.bounds_in(&scene.pose(0.0));
+    let seen = near(scene.boxes_in(&scene.pose(0.0))).fold(Aabb::EMPTY, |sum, (_, bounds)| sum.union(bounds));
     if !seen.is_empty() {
         return seen;
     }
     let of = |of: &Instance| scene.meshes[of.mesh].bounds.transformed(&of.world_from_mesh);
-    scene.instances.iter().map(of).fold(Aabb::EMPTY, Aabb::union)
+    near(scene.instances.iter().map(|instance| (instance, of(instance))))
+        .fold(Aabb::EMPTY, |sum, (_, bounds)| sum.union(bounds))
+}
+
+/// What an animation throws farther out than anything may stand is nothing that a camera has to see.
+fn near<'a>(boxes: impl Iterator<Item = (&'a Instance, Aabb)>) -> impl Iterator<Item = (&'a Instance, Aabb)> {
+    boxes.filter(|(_, bounds)| Extent::of(*bounds).reach() <= FARTHEST)
 }
 
 /// The box around everything but what stands far from most, at time 0; `all` where nothing does.
@@ -87,7 +94,7 @@ fn most(scene: &Scene, all: Aabb) -> Aabb {
         mesh.parts.iter().map(|part| part.bounds.transformed(&instance.world_from_mesh)).collect()
     };
     let pose = scene.pose(0.0);
-    let boxes: Vec<Extent> = scene.boxes_in(&pose).flat_map(of).map(Extent::of).collect();
+    let boxes: Vec<Extent> = near(scene.boxes_in(&pose)).flat_map(of).map(Extent::of).collect();
     let most = extent::around_most(&boxes);
     let is_all = boxes.is_empty() || most == extent::around(&boxes);
     if is_all { all } else { Aabb { min: most.min.as_vec3(), max: most.max.as_vec3() } }

@@ -14,7 +14,7 @@ use super::flatten::{self, Stretch};
 use super::recentre::Rebased;
 use super::warnings::Warnings;
 use crate::error::Fault;
-use crate::{Instance, Motion, Scene};
+use crate::{Instance, Mesh, MorphTarget, Motion, Scene};
 
 /// Coordinates beyond this, metres, are a mistake, and their cubes would overflow.
 pub(super) const FARTHEST: f64 = 1e12;
@@ -29,13 +29,16 @@ pub(super) fn settle(
 ) -> Result<(), Fault> {
     let mut draft = draft;
     let instances = std::mem::take(&mut draft.instances);
-    let mut flattened = HashMap::new();
+    let (mut flattened, mut morphs) = (HashMap::new(), HashMap::new());
     let mut said_to_cast = Vec::new();
     for placed in &instances {
         let rebased = &rebased[placed.what];
         let world_from_mesh = placed.world_from_mesh(rebased, &draft);
         note_coarse(placed, rebased, &world_from_mesh, scene, warnings);
-        let reach = placed.extent(Extent::of(scene.meshes[placed.what].bounds), rebased, &draft).reach();
+        let mesh = &scene.meshes[placed.what];
+        let morphed = morphs.entry(placed.what).or_insert_with(|| displacements(mesh)).as_slice();
+        let bounds = Extent::of(mesh.bounds).widened(placed.displacement(morphed, &draft));
+        let reach = placed.extent(bounds, rebased, &draft).reach();
         let hangs_near = placed.hang.is_none_or(|hang| hang.node_from_it.abs_diff_eq(DMat4::ZERO, FARTHEST));
         if reach.is_nan() || reach > FARTHEST || !hangs_near {
             let what = "instances that reach too far are left out";
@@ -92,6 +95,13 @@ pub(super) fn settle(
     Ok(())
 }
 
+/// How far each morph target of a mesh moves a vertex at most.
+fn displacements(mesh: &Mesh) -> Vec<f64> {
+    let most =
+        |target: &MorphTarget| target.positions.iter().map(|by| f64::from(by.length())).fold(0.0, f64::max);
+    mesh.targets.iter().map(most).collect()
+}
+
 fn far(name: &str, pose: &DMat4) -> String {
     let [x, y, z] = pose.w_axis.truncate().to_array();
     format!("{name} at {x:e} {y:e} {z:e}, need at most {FARTHEST:e} m")
@@ -142,7 +152,7 @@ mod tests {
     use glam::{DVec3, Vec3};
 
     use super::*;
-    use crate::{Mesh, Primitive};
+    use crate::Primitive;
 
     fn scene() -> Scene {
         let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y];

@@ -8,6 +8,7 @@ use super::contents::Contents;
 use super::nodes::Walked;
 use super::rigging::Concern;
 use super::skins::Skin;
+use crate::import::settle::FARTHEST;
 use crate::import::warnings::Warnings;
 use crate::rig;
 
@@ -122,8 +123,8 @@ fn weights(contents: &Contents<'_>, node: &gltf::json::Node, targets: usize) -> 
         mesh.weights.as_deref()
     };
     let said = node.weights.as_deref().or_else(of_mesh).unwrap_or_default();
-    let mut weights: Vec<f32> =
-        said.iter().map(|weight| if weight.is_finite() { *weight } else { 0.0 }).collect();
+    let usable = |weight: &f32| if weight.abs() <= FARTHEST as f32 { *weight } else { 0.0 };
+    let mut weights: Vec<f32> = said.iter().map(usable).collect();
     weights.resize(targets, 0.0);
     weights
 }

@@ -12,6 +12,7 @@ use super::nodes::{Walked, then};
 use super::visibility;
 use crate::curve::Curve;
 use crate::import::draft::Hang;
+use crate::import::settle::FARTHEST;
 use crate::import::warnings::Warnings;
 use crate::rig::{Animation, Channel, Node, Place, Track};
 
@@ -193,11 +194,18 @@ impl Builder<'_> {
             }
             Place::Matrix(matrix) => Place::Matrix(then(DMat4::from_translation(shift), matrix)),
         };
+        // Neither a pose nor a file that is written could hold it.
+        let is_near = rest.matrix().abs_diff_eq(DMat4::ZERO, FARTHEST);
+        if !is_near {
+            let label = json.name.clone().unwrap_or_else(|| format!("node {node}"));
+            self.warnings
+                .note("what hangs on nodes that stand too far, or are stretched too much, is hidden", &label);
+        }
         self.rigging.nodes.push(Node {
             name: json.name.clone().unwrap_or_default(),
             parent,
-            rest,
-            visible: visibility::of(json),
+            rest: if is_near { rest } else { Place::HERE },
+            visible: is_near && visibility::of(json),
             weights: self.concerns[node].weights.clone(),
         });
         self.rigging.shifts.push(shift);
