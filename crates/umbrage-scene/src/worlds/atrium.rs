@@ -65,7 +65,7 @@ fn look(stage: &mut Stage) {
     stage.look("main", main.0, main.1);
     stage.look_far(v(9.2, 9.0, 4.9), v(-4.0, 1.0, -2.6));
     stage.look("close", v(-6.2, 1.7, 3.4), v(-2.2, 0.2, -0.6));
-    stage.look("split", v(-11.6, 1.7, -7.6), v(10.0, 1.4, -4.6));
+    stage.look("split", v(-9.4, 1.7, -7.3), v(11.0, 1.4, -5.2));
     stage.look_into_light(v(-5.6, 1.6, -3.4), 11.0);
     stage.look("glass", v(11.4, 6.4, -7.2), v(-4.0, 6.6, 6.0));
     stage.fly(&[

@@ -27,7 +27,7 @@ pub(super) fn build(stage: &mut Stage) {
             let at = Vec3::new(middle.x, floor, middle.y);
             stage.place(arch, standing(at, yaw, 1.0));
             if floor > 0.0 {
-                // Every second balustrade is a mirror image; nobody sees it.
+                // Every second balustrade is a mirror image, which looks the same.
                 let mirror = Vec3::new(if (middle.x + middle.y) % 8.0 < 4.0 { 1.0 } else { -1.0 }, 1.0, 1.0);
                 stage.place(
                     rail,

@@ -1,7 +1,7 @@
 //! Cloth: long hangings from the trusses, with fringe cut out of a picture, that move in the draught; and carpets over the
 //! balustrades.
 
-use std::f32::consts::TAU;
+use std::f32::consts::{FRAC_PI_2, TAU};
 
 use glam::{Mat4, Quat, Vec2, Vec3};
 
@@ -26,7 +26,7 @@ pub(super) fn hang(stage: &mut Stage, draught: &mut Moves) {
     let mesh = stage.add(Mesh::new("hanging", &hanging(woven, fringe)));
     for (i, (x, z)) in HANGINGS.into_iter().enumerate() {
         let size = Vec3::new(stage.dice.between(0.85, 1.15), stage.dice.between(0.8, 1.1), 1.0);
-        let yaw = 0.5 * TAU * 0.5 + stage.dice.between(-0.2, 0.2);
+        let yaw = FRAC_PI_2 + stage.dice.between(-0.2, 0.2);
         let at = Vec3::new(x, EAVES - 0.15, z);
         let node = stage.node("hanging", None, at, Quat::from_rotation_y(yaw), size);
         stage.hang(mesh, node);

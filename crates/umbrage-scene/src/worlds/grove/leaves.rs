@@ -74,7 +74,8 @@ pub(super) fn broad(dice: &mut Dice) -> Texture {
         // Fibonacci's spiral covers the crown evenly.
         let (angle, out) = (i as f32 * 2.399_963, (i as f32 / 26.0).sqrt());
         let middle = Vec2::new(0.5 + 0.37 * out * angle.sin(), 0.4 + 0.33 * out * angle.cos());
-        clump(&mut canvas, dice, middle, dice_radius(i));
+        // Clumps are of three sizes.
+        clump(&mut canvas, dice, middle, [0.135, 0.1, 0.08][i % 3]);
     }
     for _ in 0..16 {
         let (angle, out) = (dice.angle(), dice.between(0.1, 1.0).sqrt());
@@ -82,11 +83,6 @@ pub(super) fn broad(dice: &mut Dice) -> Texture {
         canvas.disc(middle, dice.between(0.008, 0.04), Ink::Hole);
     }
     canvas.texture("broad tree")
-}
-
-/// Clumps of three sizes.
-fn dice_radius(i: usize) -> f32 {
-    [0.135, 0.1, 0.08][i % 3]
 }
 
 /// A clump of leaves with a ragged edge.

@@ -3,13 +3,13 @@
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 
-use glam::{Mat4, Quat, Vec2, Vec3};
+use glam::{Mat4, Quat, Vec3};
 
 use super::leaves::around;
 use crate::dice::Dice;
 use crate::paint::Paint;
 use crate::shape::{Model, tube};
-use crate::worlds::cards::{Card, Cards, WHOLE};
+use crate::worlds::cards::{Card, Cards, UNTINTED, WHOLE};
 use crate::{Mesh, MorphTarget, Primitive};
 
 /// The length of a bough, metres.
@@ -132,8 +132,8 @@ pub(super) fn crossed(material: usize, wide: f32, tall: f32, count: usize) -> Ca
     let mut cards = Cards::new(material);
     for i in 0..count {
         let right = around(i as f32 / (2 * count) as f32) * wide;
-        let card = Card { corner: -right * 0.5, right, up: Vec3::Y * tall, picture: [Vec2::ZERO, Vec2::ONE] };
-        cards.add(card, Vec3::ONE);
+        let card = Card { corner: -right * 0.5, right, up: Vec3::Y * tall, picture: WHOLE };
+        cards.add(card, UNTINTED);
     }
     cards
 }

@@ -10,7 +10,7 @@ use crate::Mesh;
 use crate::dice::Dice;
 use crate::paint::Paint;
 use crate::shape::{Ground, tube};
-use crate::worlds::cards::{Card, WHOLE};
+use crate::worlds::cards::{Card, UNTINTED, WHOLE};
 use crate::worlds::stage::Stage;
 
 /// Trees stand on a lattice so wide, and not exactly.
@@ -30,7 +30,7 @@ pub(super) fn plant(stage: &mut Stage, ground: &Ground, materials: &Materials, s
         let tilt = Quat::from_rotation_y(0.3) * Quat::from_rotation_x(0.25);
         let (right, up) = (tilt * Vec3::X * 11.0, tilt * Vec3::NEG_Z * 11.0);
         let corner = Vec3::Y * 11.0 - (right + up) * 0.5;
-        cards.add(Card { corner, right, up, picture: WHOLE.map(|at| at * 0.62 + 0.19) }, Vec3::ONE);
+        cards.add(Card { corner, right, up, picture: WHOLE.map(|at| at * 0.62 + 0.19) }, UNTINTED);
         cards.bent_from(Vec3::Y * 7.0, 0.8)
     };
     let spruce = trees::crossed(materials.crowns[1], 11.0, 22.0, 2).bent_from(Vec3::Y * 5.0, 0.6);

@@ -93,11 +93,8 @@ fn goods(radius: f32, paint: Paint) -> Model {
             let side = 4 - layer;
             for (x, z) in (0..side).flat_map(|x| (0..side).map(move |z| (x as f32, z as f32))) {
                 let half = 0.5 * (side - 1) as f32;
-                let at = middle
-                    + Vec3::new((x - half) * 2.0, 1.0 + 1.5 * layer as f32, (z - half) * 2.0)
-                        * radius
-                        * Vec3::new(1.0, 1.0, 1.0)
-                    - Vec3::Y * 0.01;
+                let heap = Vec3::new((x - half) * 2.0, 1.0 + 1.5 * layer as f32, (z - half) * 2.0);
+                let at = middle + heap * radius - Vec3::Y * 0.01;
                 fruit = fruit.and(sphere(radius, 8, 6).moved(at.x, at.y, at.z));
             }
         }
@@ -139,7 +136,7 @@ fn signs(stage: &mut Stage, moves: &mut Moves) {
 fn pinwheels(stage: &mut Stage) {
     let mut wheel = Model::default();
     let vane = prism(&[[0.0, 0.0], [0.34, 0.06], [0.2, 0.22]], 0.012);
-    wheel.add(Paint::Orange, vane.turned(0.25, 0.0, 0.0).moved(0.015, 0.01, 0.0).and(Solid::default()));
+    wheel.add(Paint::Orange, vane.turned(0.25, 0.0, 0.0).moved(0.015, 0.01, 0.0));
     let mut all = Model::default();
     for i in 0..6 {
         let turn = glam::Affine3A::from_rotation_z(i as f32 / 6.0 * TAU);
