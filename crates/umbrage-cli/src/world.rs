@@ -44,7 +44,7 @@ pub fn play(scene: &mut Scene, when: &TimeArgs) -> Outcome {
     Err(Failure::usage(format!("no animation `{wanted}`; {there}")))
 }
 
-/// How a scene stands when the command line says.
+/// Takes the pose of a scene that the command line asks for.
 pub fn pose(scene: &Scene, when: &TimeArgs) -> Outcome<Pose> {
     if when.time.is_finite() {
         Ok(scene.pose(when.time))
