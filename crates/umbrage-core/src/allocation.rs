@@ -14,7 +14,7 @@ use arrange::arrange;
 pub struct Allocation {
     storage: Storage,
     layout: MapLayout,
-    /// How many tiles each light has, and of how many texels a side.
+    /// The number of tiles that each light has, and their side in texels.
     lights: Vec<TileGroup>,
     tiles: Vec<Tile>,
 }

@@ -1,4 +1,4 @@
-//! How far a lookup must stand off its own surface, so that it does not shadow itself.
+//! A lookup must stand off its own surface, so that it does not shadow itself; this file says how far.
 //!
 //! A texel stores the depth of one point of it. Within the reach h (in texels) of a filter's kernel, a flat receiver
 //! differs in depth along the light by up to h (|N·a_u| + |N·a_v|) / cos θ, where a_u and a_v are the texel's sides
@@ -23,7 +23,7 @@ use crate::settings::{Bias, Settings};
 use crate::texel_basis::TexelBasis;
 use crate::warp::Warp;
 
-/// How far a lookup is moved away from its receiver.
+/// A lookup is moved so far away from its receiver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BiasMetres {
     /// The distance along the receiver's normal, metres.

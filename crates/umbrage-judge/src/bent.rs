@@ -12,7 +12,7 @@ use umbrage_scene::{Instance, Mesh, Pose, Scene};
 
 use crate::triangles::HALF_ULP;
 
-/// How many roundings the terms of a vertex are off by: of the file's coordinate, of a matrix, of the blended matrix, and of
+/// The number of roundings that the terms of a vertex are off by: of the file's coordinate, of a matrix, of the blended matrix, and of
 /// their product and its sum.
 const ROUNDINGS: f64 = 6.0;
 
@@ -20,7 +20,7 @@ const ROUNDINGS: f64 = 6.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Vertex {
     pub position: DVec3,
-    /// How far rounding may have moved it along each axis.
+    /// Rounding may have moved it so far along each axis.
     pub moved: DVec3,
 }
 

@@ -1,4 +1,4 @@
-//! How much of its place a surface covers where a ray meets it: a mask all or nothing, glass a share.
+//! A surface covers so much of its place where a ray meets it: a mask all or nothing, glass a share.
 //!
 //! Source: glTF 2.0, section 3.9.4, *Alpha Coverage*, and the extension `KHR_materials_transmission`. The alpha of a surface
 //! is its base colour's times its picture's (`alpha_picture.rs`) times its vertices', these between corners as rays see them.
@@ -50,7 +50,7 @@ pub(crate) struct Surface {
     pub picture: Option<u32>,
 }
 
-/// How much of its place a surface covers where an eye meets it, 0 (nothing) to 1 (all).
+/// The share of its place that a surface covers where an eye meets it, 0 (nothing) to 1 (all).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
     pub coverage: f64,
@@ -132,7 +132,7 @@ impl Coverages {
 struct Point<'a> {
     all: &'a Coverages,
     place: usize,
-    /// How much each corner counts.
+    /// The weight of each corner.
     weights: [f64; 3],
 }
 

@@ -1,4 +1,4 @@
-//! How much light comes along a ray past all surfaces that it meets: the product of what each lets through.
+//! The light that comes along a ray past all surfaces that it meets: the product of what each lets through.
 //!
 //! A surface counts once where a ray meets it. A ray through the edge that two of its triangles share meets both, at one
 //! distance but for rounding; so does one through faces that lie back to back.
@@ -13,7 +13,7 @@ pub(crate) struct Layer {
     pub surface: u32,
     /// The distance along the ray.
     pub distance: f64,
-    /// How far the distance may be off.
+    /// The distance may be off by so much.
     pub slack: f64,
     /// The coverage there, 0 to 1.
     pub coverage: f64,

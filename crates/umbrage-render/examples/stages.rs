@@ -9,7 +9,7 @@ use umbrage_render::umbrage::Settings;
 use umbrage_render::{Frame, FrameTimes, Gpu, Renderer, Show};
 use umbrage_scene::{Alpha, Scene, worlds};
 
-/// Of a picture, pixels.
+/// The size of a picture, pixels.
 const SIZE: [u32; 2] = [960, 540];
 
 /// Frames come so many seconds after each other.

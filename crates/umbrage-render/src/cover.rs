@@ -1,4 +1,4 @@
-//! How passes draw a surface, by how much of its place it covers: solid surfaces need no fragment stage in depth passes, masks
+//! Passes draw a surface by how much of its place it covers: solid surfaces need no fragment stage in depth passes, masks
 //! are cut out there, and veils are blended over what lies behind them.
 
 use std::collections::HashMap;

@@ -40,7 +40,7 @@ struct Now {
     /// Room for another palette, and for the rows of its matrices.
     next: Palette,
     rows: Vec<[f32; 12]>,
-    /// How often vertices were bent.
+    /// The number of times that vertices were bent.
     passes: u64,
 }
 
@@ -131,7 +131,7 @@ impl Deformation {
         now.passes += 1;
     }
 
-    /// How often the shapes were bent.
+    /// Returns how often the shapes were bent.
     pub fn passes(&self) -> u64 {
         self.now.lock().unwrap_or_else(PoisonError::into_inner).passes
     }

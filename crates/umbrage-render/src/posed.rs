@@ -1,4 +1,4 @@
-//! How the instances of a scene stand in a pose, for culling: which are seen, where, and how far what is bent reaches.
+//! The instances of a scene as they stand in a pose, for culling: which are seen, where, and how far what is bent reaches.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ pub(crate) struct Posed {
     pub instances: Vec<Option<Standing>>,
 }
 
-/// How an instance stands.
+/// An instance as it stands.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
     world_from_mesh: Mat4,

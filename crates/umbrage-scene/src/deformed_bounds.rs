@@ -14,7 +14,7 @@ pub struct DeformedBounds {
     parts: Vec<Reach>,
 }
 
-/// How far a part reaches.
+/// The reach of a part.
 #[derive(Clone, Debug, PartialEq)]
 struct Reach {
     /// The box around all of the part, at rest.

@@ -1,4 +1,4 @@
-//! How much error must a shadow map of a light from straight above have, and how many texels does it take to have none?
+//! A shadow map of a light from straight above must have some error, or take so many texels to have none.
 //!
 //! Source: the terms m_s and m_t and the storage factor are those of Lloyd et al., *Warping and Partitioning for Low
 //! Error Shadow Maps*, EGSR 2006. The closed forms, and those of parallel splits (which Zhang et al. 2006 leave for

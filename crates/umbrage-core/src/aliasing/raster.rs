@@ -1,4 +1,4 @@
-//! How do pixels or texels change, from one point of the world to the next?
+//! Pixels and texels change from one point of the world to the next; this file says by how much.
 //!
 //! Source: the quotient rule on rows of the projection; no difference quotients, which fail across edges (derived).
 //!
@@ -40,7 +40,7 @@ impl Raster {
         }
     }
 
-    /// How x and y change, a metre along each of two directions; `None` where w is not positive.
+    /// Returns the change of x and y, a metre along each of two directions; `None` where w is not positive.
     pub(super) fn jacobian(&self, position: DVec3, (a, b): (DVec3, DVec3)) -> Option<DMat2> {
         let Self { x, y, w } = *self;
         let (x, y) = (gradient(x, w, position), gradient(y, w, position));
@@ -57,7 +57,7 @@ impl Raster {
     }
 }
 
-/// How (x · p) / (w · p) changes, a metre along each axis of the world: the quotient rule.
+/// Returns the change of (x · p) / (w · p), a metre along each axis of the world: the quotient rule.
 fn gradient(x: DVec4, w: DVec4, position: DVec3) -> DVec3 {
     let p = position.extend(1.0);
     let at = w.dot(p);

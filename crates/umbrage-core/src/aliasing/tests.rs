@@ -92,7 +92,7 @@ fn largest_and_smallest(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     values.into_iter().fold((0.0, f64::INFINITY), ends)
 }
 
-/// Of any kind: ordinary, whole, tiny, huge, infinite, NaN.
+/// Numbers of any kind: ordinary, whole, tiny, huge, infinite, NaN.
 fn any_number() -> impl Strategy<Value = f64> {
     prop_oneof![8 => -2.0..2.0, 2 => (-1i8..=1).prop_map(f64::from), 1 => prop::num::f64::ANY]
 }

@@ -1,4 +1,4 @@
-//! How is a caster drawn that covers only in part, as glass and blended leaves do?
+//! A caster that covers only in part, as glass and blended leaves do, can be drawn in three ways.
 //!
 //! A map stores one depth a texel, so a caster is in a texel or it is not. A dither leaves out a share of the texels, and what
 //! lookups average over them is the share of light that gets through.
@@ -8,7 +8,7 @@ use crate::schema::group::Group;
 use crate::schema::key::Key;
 use crate::schema::values::{Choice, Values};
 
-/// How casters are drawn that cover only in part: glass, and what is blended. What covers fully is always drawn, and what does not
+/// A way to draw casters that cover only in part: glass, and what is blended. What covers fully is always drawn, and what does not
 /// cover never.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]

@@ -13,7 +13,7 @@ pub struct Draw {
     pub base_vertex: i32,
     /// The index of the material in the scene.
     pub material: u32,
-    /// How much of its place the surface covers.
+    /// The cover of the surface, which chooses its pipeline.
     pub cover: Cover,
     /// Whether front faces are clockwise: the instances mirror the mesh.
     pub mirrored: bool,

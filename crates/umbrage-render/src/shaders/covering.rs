@@ -4,7 +4,7 @@
 use super::{Finish, Look, MATERIAL, RECEIVER, SCENE};
 use crate::cover::Cover;
 
-/// How a pipeline treats what its surfaces leave open.
+/// A pipeline treats what its surfaces leave open in one of these ways.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Covering {
     /// They leave nothing open.
@@ -25,7 +25,7 @@ pub(crate) enum Edge {
 }
 
 impl Covering {
-    /// How a look draws surfaces of a cover into pictures of so many samples a pixel. Where rays are to see the same, veils
+    /// Says how a look draws surfaces of a cover into pictures of so many samples a pixel. Where rays are to see the same, veils
     /// are there where they cover at least half.
     pub fn of(look: Look, cover: Cover, samples: u32) -> Self {
         let edge = match look {
