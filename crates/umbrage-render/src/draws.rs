@@ -26,6 +26,10 @@ pub struct PartTable {
     bounds: Bounds,
     pose: Pose,
     posed: Posed,
+    /// The number of moves, to other poses, that there were.
+    moves: u64,
+    /// The last of these that moved each instance; 0 where none did.
+    epochs: Vec<u64>,
 }
 
 /// A part of a mesh, and where it stands.
@@ -56,7 +60,8 @@ impl PartTable {
     pub fn new(scene: &Scene) -> Self {
         /// The groups of a mesh's instances, each with whether it is mirrored and whether it casts.
         const GROUPS: [(bool, bool); 4] = [(false, true), (false, false), (true, true), (true, false)];
-        let posed = Posed::new(scene);
+        let pose = scene.pose(0.0);
+        let posed = Posed::new(scene, &pose);
         let shapes = &posed.shapes;
         // Of each mesh as it is, and then of each shape.
         let mut instances_of = vec![[const { Vec::new() }; 4]; scene.meshes.len() + shapes.all.len()];
@@ -104,9 +109,9 @@ impl PartTable {
             boxes += part.instances.len();
         }
         let (boxes, bounds) = (vec![Aabb::EMPTY; boxes], Bounds { world: Aabb::EMPTY, objects: Vec::new() });
-        let mut table = Self { parts, boxes, bounds, pose: scene.pose(0.0), posed };
-        table.posed.take(&scene.instances, &table.pose, true);
-        table.place();
+        let epochs = vec![0; scene.instances.len()];
+        let mut table = Self { parts, boxes, bounds, pose, posed, moves: 0, epochs };
+        table.place(true);
         table
     }
 
@@ -121,21 +126,38 @@ impl PartTable {
     pub fn move_to(&mut self, instances: &[Instance], pose: &Pose) {
         if *pose != self.pose {
             self.pose.clone_from(pose);
-            self.posed.take(instances, pose, false);
-            self.place();
+            self.posed.take(instances, pose);
+            self.moves += 1;
+            for &moved in &self.posed.moved {
+                self.epochs[moved as usize] = self.moves;
+            }
+            self.place(false);
         }
     }
 
-    /// Makes the boxes of what the pose moves.
-    fn place(&mut self) {
-        let Self { parts, boxes, bounds, pose: _, posed } = self;
+    /// Returns an instance's epoch: the number of the last [`Self::move_to`], among those to another pose, counted from 1, that
+    /// changed its matrix, how it is bent, or whether it is seen. It is 0 where none did, and where there is no such instance.
+    ///
+    /// Whoever keeps what was drawn of instances keeps their epochs with it: while they are the same, so is what they draw.
+    pub fn epoch(&self, instance: u32) -> u64 {
+        self.epochs.get(instance as usize).copied().unwrap_or(0)
+    }
+
+    /// Says whether a pose may move, bend or hide an instance. The epoch of what cannot move is 0 for ever.
+    pub fn can_move(&self, instance: u32) -> bool {
+        self.posed.can_move(instance)
+    }
+
+    /// Makes the boxes of what moved, or of all.
+    fn place(&mut self, all: bool) {
+        let Self { parts, boxes, bounds, posed, epochs, moves, pose: _ } = self;
         bounds.objects.clear();
         for part in parts {
             let boxes = &mut boxes[part.first_box..][..part.instances.len()];
             let local = part.bent.map_or(part.local, |(shape, number)| posed.local(shape, number));
             for (slot, &instance) in boxes.iter_mut().zip(&part.instances) {
-                if let Some(standing) = &posed.instances[instance as usize] {
-                    *slot = standing.world(local, part.mirrored);
+                if all || epochs[instance as usize] == *moves {
+                    *slot = posed.instances[instance as usize].world(local, part.mirrored);
                 }
             }
             if !part.is_sky {
