@@ -26,6 +26,7 @@ use crate::rectangle::Rectangle;
 use crate::settings::{MAX_LIGHTS, Select, Settings};
 use crate::split::{Splits, split_distances, spot_splits};
 use crate::view::ShadowView;
+use crate::view_key::ViewKey;
 use crate::warp::Warp;
 
 /// The shadow views of one frame, and what a receiver needs to find its own.
@@ -189,6 +190,14 @@ impl ShadowPlan {
     /// The split distances C_0 … C_m of suns, view depths in metres. A spot's are in its views.
     pub fn splits(&self) -> &[f64] {
         &self.splits
+    }
+
+    /// Says what a view shows, by the view's place in the plan; nothing where there is no such view. It holds until the plan is
+    /// made anew.
+    pub fn set_key(&mut self, view: usize, key: Option<ViewKey>) {
+        if let Some(view) = self.views.get_mut(view) {
+            view.key = key;
+        }
     }
 
     /// The views, light by light, and in a light split by split or face by face.
