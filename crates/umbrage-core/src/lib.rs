@@ -37,6 +37,7 @@ mod lookup;
 mod moments;
 mod plan;
 mod plane;
+mod plane_set;
 mod presets;
 mod reach;
 mod receivers;
@@ -49,6 +50,7 @@ mod space;
 mod split;
 mod stabilise;
 mod texel_basis;
+mod tree;
 mod view;
 mod warp;
 
