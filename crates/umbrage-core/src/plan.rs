@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use crate::allocation::{Allocation, MapLayout, Tile};
 use crate::bias::reach;
-use crate::bounds::{Aabb, Bounds};
+use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::cull::ConvexVolume;
 use crate::error::PlanError;
@@ -300,8 +300,7 @@ fn shadowed_depths(
     if far <= camera.near() {
         return Err(PlanError::Distance { distance: far, near: camera.near() });
     }
-    let empty_or_finite = |aabb: &Aabb| aabb.min.is_finite() && aabb.max.is_finite() || *aabb == Aabb::EMPTY;
-    if !empty_or_finite(&bounds.world) || !bounds.objects.iter().all(empty_or_finite) {
+    if !bounds.can_be_planned() {
         return Err(PlanError::Bounds);
     }
     Ok(camera.near()..far)
