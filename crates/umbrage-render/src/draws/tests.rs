@@ -5,6 +5,9 @@ use umbrage_scene::{Mesh, Primitive};
 
 use super::*;
 
+mod epochs;
+mod one_by_one;
+
 /// A row of `count` small triangles along x, one a metre.
 fn row(count: u32, material: usize) -> Primitive {
     let corners = [Vec3::ZERO, Vec3::X * 0.5, Vec3::Z * 0.5];
@@ -140,27 +143,4 @@ fn solid_parts_come_first_and_veils_from_the_deepest_on() {
     assert_eq!(covers(3), [Cover::Veil; 6]);
     let depths: Vec<f32> = lists.view(3).iter().map(|draw| draw.depth).collect();
     assert!(depths.is_sorted_by(|a, b| a >= b) && depths[0] > 50.0 && depths[5] < 10.0, "{depths:?}");
-}
-
-#[test]
-fn an_epoch_is_the_number_of_the_last_move_that_changed_an_instance() {
-    let mut scene = scene();
-    let turn = |radians_per_second| umbrage_scene::Motion::Rotation {
-        centre: Vec3::ZERO,
-        axis: Vec3::Y,
-        radians_per_second,
-    };
-    scene.instances[1].motion = turn(1.0);
-    // What turns by nothing may move, and does not.
-    scene.instances[2].motion = turn(0.0);
-    let mut table = PartTable::new(&scene);
-    assert_eq!([0, 1, 2, 3].map(|i| table.can_move(i)), [false, true, true, false]);
-    let mut epochs = |seconds| {
-        table.move_to(&scene.instances, &Pose::at(seconds));
-        [0, 1, 2, 3].map(|i| table.epoch(i))
-    };
-    assert_eq!(epochs(0.0), [0, 0, 0, 0], "it stands there already");
-    assert_eq!(epochs(1.0), [0, 1, 0, 0]);
-    assert_eq!(epochs(1.0), [0, 1, 0, 0], "the same pose");
-    assert_eq!(epochs(0.0), [0, 2, 0, 0], "back, which is another move");
 }

@@ -39,7 +39,7 @@ mod tests {
         touched.make_room(200);
         [199, 0, 64, 63, 64, 128].into_iter().for_each(|number| touched.insert(number));
         let mut all = || {
-            let mut all = Vec::new();
+            let mut all: Vec<u32> = Vec::new();
             touched.drain(|number| all.push(number));
             all
         };
