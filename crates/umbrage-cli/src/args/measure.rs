@@ -34,6 +34,11 @@ pub struct MeasureArgs {
     /// Measure also how unsteady shadows are, along a path from the camera
     #[arg(long, value_enum)]
     pub motion: Option<MotionArg>,
+    /// Judge also what another renderer drew of the same view, beside ours in the same pixels: a folder with its picture
+    /// lit.png, the same without shadows, unshadowed.png, and by ambient light alone, ambient.png, without tone mapping.
+    /// Pixels where the last two are alike are left out
+    #[arg(long, value_name = "DIR")]
+    pub pictures: Option<PathBuf>,
     /// Where a picture of what is wrong goes: orange where falsely shadowed, blue where falsely lit
     #[arg(long, value_name = "FILE.png")]
     pub heat_map: Option<PathBuf>,
