@@ -80,6 +80,15 @@ pub enum MotionArg {
     SubTexel,
 }
 
+/// What frames are compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum BaselineArg {
+    /// No shadows
+    NoShadows,
+    /// Every part of the world drawn into every shadow map
+    NoCulling,
+}
+
 #[derive(Debug, Args)]
 pub struct ReportArgs {
     /// The experiment
@@ -109,9 +118,9 @@ pub struct BenchArgs {
     /// Samples a pixel, 1 or 4
     #[arg(long, default_value_t = 1, value_parser = clap::builder::PossibleValuesParser::new(["1", "4"]).map(|s| if s == "4" { 4u32 } else { 1 }))]
     pub samples: u32,
-    /// Draw each frame twice more: without shadows, and with every part of the world drawn into every shadow map
-    #[arg(long)]
-    pub baselines: bool,
+    /// Draw each frame otherwise too: without shadows, with every part of the world drawn into every shadow map, or both
+    #[arg(long, value_enum, value_name = "WAYS", num_args = 0.., require_equals = true, value_delimiter = ',', default_missing_values = ["no-shadows", "no-culling"])]
+    pub baselines: Vec<BaselineArg>,
     /// Write JSON to a file, or to stdout as `-`
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
