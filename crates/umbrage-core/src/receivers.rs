@@ -54,9 +54,9 @@ impl Receivers {
             LightFrustum::Parallel(_) => slice,
             LightFrustum::FromApex(pyramid) => slice.clipped_by_all(&pyramid.planes()),
         };
-        let world = &input.bounds.world;
+        let world = input.bounds.world();
         let body =
-            if world.is_empty() { ConvexBody::default() } else { lit_slice.clone().clipped_by_box(world) };
+            if world.is_empty() { ConvexBody::default() } else { lit_slice.clone().clipped_by_box(&world) };
         Self { lit_slice, body }
     }
 }
