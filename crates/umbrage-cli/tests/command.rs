@@ -152,6 +152,18 @@ fn bench_json_has_the_keys_that_scripts_rely_on() {
             }
         }
     }
+    let one = json(&[
+        "bench",
+        "primitives",
+        "--json",
+        "-",
+        "--frames",
+        "1",
+        "--size",
+        "64x36",
+        "--baselines=no-shadows",
+    ]);
+    assert!(one["baselines"]["no_shadows"].is_object() && one["baselines"]["no_culling"].is_null(), "{one}");
     for view in bench["views"].as_array().expect("views") {
         assert!(["split", "draws", "triangles"].iter().all(|key| view[key].is_u64()), "{view}");
     }

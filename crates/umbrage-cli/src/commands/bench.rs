@@ -12,7 +12,7 @@ use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
 use self::batch::{Timed, Way};
-use crate::args::BenchArgs;
+use crate::args::{BaselineArg, BenchArgs};
 use crate::failure::Outcome;
 use crate::{advice, output, progress, settings, world};
 
@@ -60,8 +60,10 @@ struct Times {
 
 #[derive(Serialize)]
 struct Baselines {
-    no_shadows: Times,
-    no_culling: Times,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_shadows: Option<Times>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_culling: Option<Times>,
 }
 
 #[derive(Serialize)]
@@ -94,9 +96,10 @@ pub fn run(args: &BenchArgs) -> Outcome {
         bytes: renderer.shadows().bytes(),
         frames: shadowed.frames.len(),
         milliseconds: Times::of(&shadowed),
-        baselines: args
-            .baselines
-            .then(|| Baselines { no_shadows: Times::of(&unshadowed), no_culling: Times::of(&unculled) }),
+        baselines: (!args.baselines.is_empty()).then(|| Baselines {
+            no_shadows: Times::of_any(&unshadowed),
+            no_culling: Times::of_any(&unculled),
+        }),
         every_frame: shadowed
             .frames
             .iter()
@@ -129,13 +132,17 @@ fn timed(
         bar.inc(1);
     }
     let mut timed = [Timed::default(), Timed::default(), Timed::default()];
-    let ways = [Way::Shadowed, Way::Unshadowed, Way::Unculled];
-    let ways = if args.baselines { &ways[..] } else { &ways[..1] };
+    let has = |baseline| args.baselines.contains(&baseline);
+    let ways = [
+        (Way::Shadowed, true),
+        (Way::Unshadowed, has(BaselineArg::NoShadows)),
+        (Way::Unculled, has(BaselineArg::NoCulling)),
+    ];
     for start in (0..frames).step_by(BATCH) {
         let numbers = start..frames.min(start + BATCH);
         let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
         let batch = batch.collect::<Outcome<Vec<_>>>()?;
-        for (way, timed) in ways.iter().zip(&mut timed) {
+        for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
             timed.add(renderer, gpu, *way, &before, &batch)?;
         }
         bar.inc(batch.len() as u64);
@@ -146,6 +153,11 @@ fn timed(
 }
 
 impl Times {
+    /// The times of a way that was drawn.
+    fn of_any(timed: &Timed) -> Option<Self> {
+        (!timed.frames.is_empty()).then(|| Self::of(timed))
+    }
+
     fn of(timed: &Timed) -> Self {
         let frames = &timed.frames;
         let stages = Milliseconds { frame: Spread::of(timed.batches.clone()), ..Milliseconds::of(frames) };
@@ -183,16 +195,17 @@ fn text(report: &Report<'_>) -> String {
     for View { light, split, draws, triangles } in &report.views {
         text += &format!("light {light} split {split}: {draws} draws, {triangles} triangles\n");
     }
-    if let Some(Baselines { no_shadows, no_culling }) = &report.baselines {
-        text +=
-            &format!("without shadows\n{}without culling parts\n{}", table(no_shadows), table(no_culling));
-        let (with, without) = (&report.milliseconds, no_shadows);
-        text += &format!(
-            "a frame takes {:.2} times as long with shadows\n",
-            with.frame_mean / without.frame_mean
-        );
-        let share = with.stages.casters.median / no_culling.stages.casters.median;
-        text += &format!("casters take {share:.2} times as long with culling\n");
+    let with = &report.milliseconds;
+    let Some(Baselines { no_shadows, no_culling }) = &report.baselines else { return text };
+    if let Some(without) = no_shadows {
+        let ratio = with.frame_mean / without.frame_mean;
+        text += &format!("without shadows\n{}", table(without));
+        text += &format!("a frame takes {ratio:.2} times as long with shadows\n");
+    }
+    if let Some(unculled) = no_culling {
+        let ratio = with.stages.casters.median / unculled.stages.casters.median;
+        text += &format!("without culling parts\n{}", table(unculled));
+        text += &format!("casters take {ratio:.2} times as long with culling\n");
     }
     text
 }
