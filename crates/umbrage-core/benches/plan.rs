@@ -83,7 +83,7 @@ fn plans(criterion: &mut Criterion) {
             Aabb { min, max: min + Vec3::new(10.0, 20.0, 10.0) }
         })
         .collect();
-    let [boxed, full] = [Vec::new(), objects].map(|objects| Bounds { world, objects });
+    let [boxed, full] = [Vec::new(), objects].map(|objects| Bounds::within(world, objects));
     for Technique { name, settings, lights, looks_at_objects } in techniques() {
         for (contents, bounds) in [("box only", &boxed), ("1000 objects", &full)] {
             if contents == "1000 objects" && !looks_at_objects {

@@ -28,7 +28,7 @@ impl CasterPolicy {
         texel_metres: f64,
     ) -> ConvexVolume {
         let sees_nothing = region.receivers.is_empty() && input.asked == Asked::OwnSlice;
-        if sees_nothing || input.bounds.world.is_empty() {
+        if sees_nothing || input.bounds.world().is_empty() {
             return ConvexVolume::empty();
         }
         // Nothing within a bulb casts. A pass that flattens would draw it, so it is not listed.

@@ -10,10 +10,11 @@ use crate::bounds::Aabb;
 use crate::convex::ConvexBody;
 use crate::hull::convex_hull;
 use crate::plane::{Plane, PlaneF64};
+use crate::plane_set::PlaneSet;
 use crate::space::LightSpace;
 
 /// A clipped slice has at most 12 faces and 20 corners.
-const MAX_PLANES: usize = 32;
+const MAX_PLANES: usize = PlaneSet::MOST;
 /// Corners considered for an outline, shared ones counted once.
 const MAX_OUTLINE: usize = 48;
 /// Planes are moved outward by this share of the body's size: f32 rounding must not lose a caster.
@@ -57,16 +58,34 @@ impl ConvexVolume {
 
     /// Whether the box from `min` to `max` may touch it. It is never wrong when it says no.
     pub fn may_touch(&self, min: Vec3, max: Vec3) -> bool {
-        !self.empty
-            && self.planes.iter().all(|plane| {
-                let farthest_in = Vec3::select(plane.normal.cmpge(Vec3::ZERO), max, min);
-                plane.signed_distance(farthest_in) >= 0.0
-            })
+        !self.empty && self.planes.iter().all(|plane| plane.farthest_in(min, max) >= 0.0)
     }
 
     /// Whether a box may touch it. It is never wrong when it says no.
     pub fn may_touch_box(&self, aabb: &Aabb) -> bool {
         self.may_touch(aabb.min, aabb.max)
+    }
+
+    /// Those of some planes that cut a finite box; `None` where it lies outside of one, or nothing touches the volume. The
+    /// others have it inside. Rounded sums are monotone in what is summed, so both hold for all boxes in it, exactly as
+    /// [`Self::may_touch`] has it.
+    pub(crate) fn across(&self, aabb: &Aabb, planes: PlaneSet) -> Option<PlaneSet> {
+        let mut across = planes;
+        for i in planes.iter() {
+            let plane = &self.planes[i];
+            if plane.farthest_in(aabb.min, aabb.max) < 0.0 {
+                return None;
+            }
+            if plane.farthest_in(aabb.max, aabb.min) >= 0.0 {
+                across.remove(i);
+            }
+        }
+        (!self.empty).then_some(across)
+    }
+
+    /// What [`Self::may_touch_box`] says of a box that lies inside of all but these planes.
+    pub(crate) fn may_touch_across(&self, aabb: &Aabb, planes: PlaneSet) -> bool {
+        !self.empty && planes.iter().all(|i| self.planes[i].farthest_in(aabb.min, aabb.max) >= 0.0)
     }
 
     /// A list that is full drops the plane: the volume stays safe, only larger.

@@ -33,7 +33,7 @@ impl DepthRange {
         };
         let margin = margin(input, texel_metres, receivers);
         let mut near = receivers.start - margin;
-        if !input.flattens_casters && !input.bounds.world.is_empty() {
+        if !input.flattens_casters && !input.bounds.world().is_empty() {
             near = near.min(of_world(input, space).start - margin);
         }
         if let LightFrustum::FromApex(pyramid) = &input.light_frustum {
@@ -54,6 +54,6 @@ pub(crate) fn margin(input: &ViewInput<'_>, texel_metres: f64, receivers: &Range
 /// Where the world begins and ends along the light's axis.
 pub(crate) fn of_world(input: &ViewInput<'_>, space: &LightSpace) -> Range<f64> {
     let from = space.apex.unwrap_or_default();
-    let depths = input.bounds.world.corners_f64().map(|corner| space.axis.dot(corner - from));
+    let depths = input.bounds.world().corners_f64().map(|corner| space.axis.dot(corner - from));
     depths.into_iter().fold(f64::INFINITY, f64::min)..depths.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }

@@ -37,6 +37,7 @@ mod lookup;
 mod moments;
 mod plan;
 mod plane;
+mod plane_set;
 mod presets;
 mod reach;
 mod receivers;
@@ -49,7 +50,9 @@ mod space;
 mod split;
 mod stabilise;
 mod texel_basis;
+mod tree;
 mod view;
+mod view_key;
 mod warp;
 
 pub use aliasing::{
@@ -80,5 +83,6 @@ pub use settings::{
 pub use space::Rays;
 pub use split::{Splits, split_distances};
 pub use texel_basis::TexelBasis;
-pub use view::{ShadowView, ViewKey};
+pub use view::ShadowView;
+pub use view_key::ViewKey;
 pub use warp::Warp;

@@ -101,7 +101,7 @@ impl Pyramid {
     }
 
     fn new(apex: DVec3, axis: DVec3, half_side: f64, limits: Limits, bounds: &Bounds) -> Self {
-        let depths = bounds.world.corners_f64().map(|corner| axis.dot(corner - apex));
+        let depths = bounds.world().corners_f64().map(|corner| axis.dot(corner - apex));
         let farthest = depths.into_iter().filter(|depth| depth.is_finite()).fold(0.0, f64::max);
         // A light that reaches nothing has a map all the same, of any size.
         let reach = f64::from(limits.range).min(if farthest > 0.0 { farthest } else { 1.0 });

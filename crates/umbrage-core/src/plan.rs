@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use crate::allocation::{Allocation, MapLayout, Tile};
 use crate::bias::reach;
-use crate::bounds::{Aabb, Bounds};
+use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::cull::ConvexVolume;
 use crate::error::PlanError;
@@ -26,6 +26,7 @@ use crate::rectangle::Rectangle;
 use crate::settings::{MAX_LIGHTS, Select, Settings};
 use crate::split::{Splits, split_distances, spot_splits};
 use crate::view::ShadowView;
+use crate::view_key::ViewKey;
 use crate::warp::Warp;
 
 /// The shadow views of one frame, and what a receiver needs to find its own.
@@ -193,6 +194,14 @@ impl ShadowPlan {
         &self.splits
     }
 
+    /// Says what a view shows, by the view's place in the plan; nothing where there is no such view. It holds until the plan is
+    /// made anew.
+    pub fn set_key(&mut self, view: usize, key: Option<ViewKey>) {
+        if let Some(view) = self.views.get_mut(view) {
+            view.key = key;
+        }
+    }
+
     /// The views, light by light, and in a light split by split or face by face.
     pub fn views(&self) -> &[ShadowView] {
         &self.views
@@ -308,8 +317,7 @@ fn shadowed_depths(
     if far <= camera.near() {
         return Err(PlanError::Distance { distance: far, near: camera.near() });
     }
-    let empty_or_finite = |aabb: &Aabb| aabb.min.is_finite() && aabb.max.is_finite() || *aabb == Aabb::EMPTY;
-    if !empty_or_finite(&bounds.world) || !bounds.objects.iter().all(empty_or_finite) {
+    if !bounds.can_be_planned() {
         return Err(PlanError::Bounds);
     }
     Ok(camera.near()..far)

@@ -17,6 +17,12 @@ impl Plane {
         self.normal.dot(point) + self.distance
     }
 
+    /// The signed distance of the corner of a box that lies farthest in, metres; of the one farthest out where the two are
+    /// exchanged.
+    pub(crate) fn farthest_in(&self, min: Vec3, max: Vec3) -> f32 {
+        self.signed_distance(Vec3::select(self.normal.cmpge(Vec3::ZERO), max, min))
+    }
+
     /// Gives the six planes of a clip matrix with depth 0…1, forward or reversed: left, right, bottom, top, and the two
     /// depth planes. They are the *rows* of the matrix (Ferko 2010 §1.2.1 says columns, which holds for row vectors). Planes
     /// at infinity have no normal and are left out.

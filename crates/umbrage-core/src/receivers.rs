@@ -66,9 +66,9 @@ impl Receivers {
             LightFrustum::Parallel(_) => slice,
             LightFrustum::FromApex(pyramid) => slice.clipped_by_all(&pyramid.planes()),
         };
-        let world = &input.bounds.world;
+        let world = input.bounds.world();
         let body =
-            if world.is_empty() { ConvexBody::default() } else { lit_slice.clone().clipped_by_box(world) };
+            if world.is_empty() { ConvexBody::default() } else { lit_slice.clone().clipped_by_box(&world) };
         Self { lit_slice, body }
     }
 
@@ -82,7 +82,7 @@ impl Receivers {
         behind: f64,
     ) -> ConvexBody {
         let seen = ConvexBody::of_slice(&input.camera.slice_corners(depths.clone()));
-        let in_world = seen.clipped_by_box(&input.bounds.world);
+        let in_world = seen.clipped_by_box(&input.bounds.world());
         let sides = [(w + x, around), (w - x, around), (w + y, around), (w - y, around), (z, behind)];
         sides.into_iter().fold(in_world, |body, (row, beyond)| {
             let length = row.truncate().length();

@@ -16,7 +16,7 @@ fn bounds() -> Bounds {
     });
     let objects: Vec<Aabb> = boxes.collect();
     let world = objects.iter().fold(Aabb::EMPTY, |sum, object| sum.union(*object));
-    Bounds { world, objects }
+    Bounds::within(world, objects)
 }
 
 fn lights(step: u32) -> [Light; 3] {

@@ -33,7 +33,7 @@ proptest! {
         let direction = light.normalize_or_zero();
         let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
         for (object, share, toward_light) in shares {
-            let receiver = point_in(&bounds.objects[object], share);
+            let receiver = point_in(&bounds.objects()[object], share);
             let (depth, is_seen) = seen(&camera, receiver);
             if !is_seen {
                 continue;
@@ -44,7 +44,7 @@ proptest! {
             let caster = receiver - direction * toward_light;
             prop_assert!(view.casters.contains(caster), "a caster at {caster} of {receiver} is left out of {view:?}");
             // A caster of the world is drawn: before the far plane, and before the near one only if that is allowed.
-            let lies_in_world = bounds.world.min.cmple(caster).all() && bounds.world.max.cmpge(caster).all();
+            let lies_in_world = bounds.world().min.cmple(caster).all() && bounds.world().max.cmpge(caster).all();
             if lies_in_world {
                 prop_assert!(view.covers(caster.as_dvec3(), 1e-5), "a caster at {caster} is outside {view:?}");
             }
@@ -64,7 +64,7 @@ proptest! {
         let direction = light.normalize_or_zero();
         let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
         for (object, share, normal, toward_light) in shares {
-            let receiver = point_in(&bounds.objects[object], share);
+            let receiver = point_in(&bounds.objects()[object], share);
             let normal = if normal.dot(direction) > 0.0 { -normal } else { normal };
             if !seen(&camera, receiver).1 {
                 continue;
@@ -113,7 +113,7 @@ fn an_empty_world_and_a_camera_that_looks_away_get_finite_views_without_casters(
     let camera = Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 0.1, 100.0).unwrap();
     let lights = [Light::directional(Vec3::NEG_Y).unwrap()];
     let behind = Bounds::of_world(Vec3::splat(10.0), Vec3::splat(20.0));
-    let empty = Bounds { world: Aabb::EMPTY, objects: Vec::new() };
+    let empty = Bounds::within(Aabb::EMPTY, Vec::new());
     for fit in [Fit::Scene, Fit::View, Fit::Stable] {
         // Chosen by map, even an empty slice's view may be read.
         let settings = Settings { fit, select: Select::Depth, ..Settings::default() };
@@ -166,7 +166,7 @@ fn a_slanted_row_of_boxes_gets_a_map_that_is_turned_to_hold_it() {
     let camera = Camera::looking(eye, Vec3::ZERO, Vec3::Y, projection, 1.0, 400.0).unwrap();
     let settings = Settings { splits: 1, ..Settings::default() };
     let lights = [Light::directional(Vec3::NEG_Y).unwrap()];
-    let plan = plan(&camera, &lights, &Bounds { world, objects }, &settings).unwrap();
+    let plan = plan(&camera, &lights, &Bounds::within(world, objects), &settings).unwrap();
     let side = plan.views()[0].texel_metres * settings.resolution as f32;
     assert!((71.0..74.0).contains(&side), "{side} m");
 }

@@ -1,113 +1,72 @@
 //! What is drawn into a view: which parts of which instances touch its volume, as few draws as they need.
 //!
-//! The unit is (instance, part). Today the lists are made here, on the CPU; whoever moves them to the GPU moves this file.
+//! The unit is (instance, part). Their boxes are in one tree, which plans and lists are made from; it is refitted where a pose
+//! moves something. Today the lists are made here, on the CPU; whoever moves them to the GPU moves this file.
 
 mod lists;
-
-use std::ops::Range;
+mod parts;
+mod touched;
 
 use glam::Vec3;
 use umbrage::{Aabb, Bounds, ConvexVolume};
-use umbrage_scene::{Instance, Mesh, Pose, Scene};
+use umbrage_scene::{Instance, Pose, Scene};
 
 pub use lists::{Draw, DrawLists};
 
-use crate::cover::{Cover, Covers};
-use crate::posed::{Posed, may_turn_over};
-use crate::shapes::Shapes;
+use crate::cover::Cover;
+use crate::posed::Posed;
+use parts::{PartRow, Slot};
 
 /// Every (part, instance) of a scene with its world box, ordered by cover, mesh, mirroring, casting, part and instance.
 #[derive(Clone, Debug)]
 pub struct PartTable {
     parts: Vec<PartRow>,
-    /// The boxes are parallel to all parts' instances, in order.
-    boxes: Vec<Aabb>,
-    /// What is planned for: all but skies.
+    slots: Vec<Slot>,
+    /// The numbers of slots, those of the first instance first.
+    slots_of_instances: Vec<u32>,
+    /// Where those of each instance begin, and where the last end.
+    firsts: Vec<u32>,
+    /// The boxes of all slots, which is what is planned for: those of skies hold nothing.
     bounds: Bounds,
+    /// The boxes of skies, and the numbers of their slots, in order.
+    skies: Bounds,
+    sky_slots: Vec<u32>,
     pose: Pose,
     posed: Posed,
-}
-
-/// A part of a mesh, and where it stands.
-#[derive(Clone, Debug)]
-struct PartRow {
-    indices: Range<u32>,
-    base_vertex: i32,
-    material: u32,
-    cover: Cover,
-    local: umbrage_scene::Aabb,
-    /// Its shape, and its number among the mesh's parts, where it is bent: then its box depends on the pose.
-    bent: Option<(usize, usize)>,
-    /// Whether its instances mirror it, which turns its winding over.
-    mirrored: bool,
-    /// Whether it casts shadows.
-    casts: bool,
-    /// Whether it casts none and shows none either: no map need hold it.
-    is_sky: bool,
-    /// Indices of those instances of its mesh, in the scene's list.
-    instances: Vec<u32>,
-    /// Where its boxes start.
-    first_box: usize,
+    /// The number of moves, to other poses, that there were.
+    moves: u64,
+    /// The last of these that moved each instance; 0 where none did.
+    epochs: Vec<u64>,
 }
 
 impl PartTable {
     /// The table of a scene at time 0. Index ranges count from the start of the scene's index buffer, in which its
     /// meshes follow each other.
     pub fn new(scene: &Scene) -> Self {
-        /// The groups of a mesh's instances, each with whether it is mirrored and whether it casts.
-        const GROUPS: [(bool, bool); 4] = [(false, true), (false, false), (true, true), (true, false)];
-        let posed = Posed::new(scene);
-        let shapes = &posed.shapes;
-        // Of each mesh as it is, and then of each shape.
-        let mut instances_of = vec![[const { Vec::new() }; 4]; scene.meshes.len() + shapes.all.len()];
-        for (i, instance) in scene.instances.iter().enumerate() {
-            let bent = shapes.of_instance[i].map(|shape| scene.meshes.len() + shape as usize);
-            let is_mirrored = instance.world_from_mesh.determinant() < 0.0;
-            for mirrored in [false, true] {
-                if mirrored == is_mirrored || may_turn_over(instance) {
-                    let group = 2 * usize::from(mirrored) + usize::from(!instance.casts);
-                    instances_of[bent.unwrap_or(instance.mesh)][group].push(i as u32);
-                }
-            }
+        let pose = scene.pose(0.0);
+        let posed = Posed::new(scene, &pose);
+        let (parts, slots) = parts::of(scene, &posed);
+        let (firsts, slots_of_instances) = by_instance(&slots, scene.instances.len());
+        let is_sky = |slot: &Slot| parts[slot.part as usize].is_sky;
+        let sky_slots: Vec<u32> =
+            (0..).zip(&slots).filter(|(_, slot)| is_sky(slot)).map(|(number, _)| number).collect();
+        let skies = sky_slots.iter().map(|number| aabb(&parts, &posed, slots[*number as usize]));
+        let skies = Bounds::new(skies.collect());
+        let boxes =
+            slots.iter().map(|slot| if is_sky(slot) { Aabb::EMPTY } else { aabb(&parts, &posed, *slot) });
+        Self {
+            bounds: Bounds::new(boxes.collect()),
+            skies,
+            sky_slots,
+            parts,
+            slots,
+            slots_of_instances,
+            firsts,
+            pose,
+            posed,
+            moves: 0,
+            epochs: vec![0; scene.instances.len()],
         }
-        let mut covers = Covers::new(scene);
-        let mut parts = Vec::new();
-        let sources = sources(scene, shapes);
-        for (Source { mesh, first_index, base_vertex, shape }, instances_of_mesh) in
-            sources.into_iter().zip(&instances_of)
-        {
-            for ((mirrored, instances_cast), instances) in GROUPS.into_iter().zip(instances_of_mesh) {
-                for (number, part) in mesh.parts.iter().enumerate().filter(|_| !instances.is_empty()) {
-                    let material = scene.materials.get(part.material);
-                    let casts = instances_cast && material.is_none_or(|material| material.casts);
-                    parts.push(PartRow {
-                        indices: part.indices.start + first_index..part.indices.end + first_index,
-                        base_vertex,
-                        material: part.material as u32,
-                        cover: covers.of(mesh, part),
-                        local: part.bounds,
-                        bent: shape.map(|shape| (shape, number)),
-                        mirrored,
-                        casts,
-                        is_sky: !casts && material.is_some_and(|material| material.unlit),
-                        instances: instances.clone(),
-                        first_box: 0,
-                    });
-                }
-            }
-        }
-        // Solid parts come first, so that one pipeline draws all of them; those of a mesh stay neighbours.
-        parts.sort_by_key(|part| part.cover);
-        let mut boxes = 0;
-        for part in &mut parts {
-            part.first_box = boxes;
-            boxes += part.instances.len();
-        }
-        let (boxes, bounds) = (vec![Aabb::EMPTY; boxes], Bounds { world: Aabb::EMPTY, objects: Vec::new() });
-        let mut table = Self { parts, boxes, bounds, pose: scene.pose(0.0), posed };
-        table.posed.take(&scene.instances, &table.pose, true);
-        table.place();
-        table
     }
 
     /// Returns the covers that parts have, in order.
@@ -117,32 +76,58 @@ impl PartTable {
         covers
     }
 
-    /// Moves what moves: boxes of dynamic instances, to where they are in a pose.
+    /// Moves what moves: boxes of dynamic instances, to where they are in a pose. It costs as much as there are of these, and
+    /// as of them move.
     pub fn move_to(&mut self, instances: &[Instance], pose: &Pose) {
-        if *pose != self.pose {
-            self.pose.clone_from(pose);
-            self.posed.take(instances, pose, false);
+        if *pose == self.pose {
+            return;
+        }
+        self.pose.clone_from(pose);
+        self.posed.take(instances, pose);
+        self.moves += 1;
+        if !self.posed.moved.is_empty() {
             self.place();
         }
     }
 
-    /// Makes the boxes of what the pose moves.
+    /// Returns an instance's epoch: the number of the last [`Self::move_to`], among those to another pose, counted from 1, that
+    /// changed its matrix, how it is bent, or whether it is seen. It is 0 where none did, and where there is no such instance.
+    ///
+    /// Whoever keeps what was drawn of instances keeps their epochs with it: while they are the same, so is what they draw.
+    pub fn epoch(&self, instance: u32) -> u64 {
+        self.epochs.get(instance as usize).copied().unwrap_or(0)
+    }
+
+    /// Says whether a pose may move, bend or hide an instance. The epoch of what cannot move is 0 for ever.
+    pub fn can_move(&self, instance: u32) -> bool {
+        self.posed.can_move(instance)
+    }
+
+    /// Makes the boxes of what the pose moved.
     fn place(&mut self) {
-        let Self { parts, boxes, bounds, pose: _, posed } = self;
-        bounds.objects.clear();
-        for part in parts {
-            let boxes = &mut boxes[part.first_box..][..part.instances.len()];
-            let local = part.bent.map_or(part.local, |(shape, number)| posed.local(shape, number));
-            for (slot, &instance) in boxes.iter_mut().zip(&part.instances) {
-                if let Some(standing) = &posed.instances[instance as usize] {
-                    *slot = standing.world(local, part.mirrored);
-                }
-            }
-            if !part.is_sky {
-                bounds.objects.extend(boxes.iter().filter(|aabb| !aabb.is_empty()));
+        let Self { parts, slots, slots_of_instances, firsts, bounds, skies, sky_slots, .. } = self;
+        let Self { posed, moves, epochs, .. } = self;
+        for part in parts.iter_mut() {
+            if let Some((shape, number)) = part.bent.filter(|(shape, _)| posed.bent[*shape]) {
+                part.local = posed.local(shape, number);
             }
         }
-        bounds.world = bounds.objects.iter().fold(Aabb::EMPTY, |sum, aabb| sum.union(*aabb));
+        for &moved in &posed.moved {
+            epochs[moved as usize] = *moves;
+        }
+        let moved = posed.moved.iter().flat_map(|moved| {
+            let first = *moved as usize;
+            &slots_of_instances[firsts[first] as usize..firsts[first + 1] as usize]
+        });
+        let moved = moved.map(|number| (*number, slots[*number as usize]));
+        let of_sky = |slot: &Slot| parts[slot.part as usize].is_sky;
+        let boxed = |number: usize, slot: Slot| (number, aabb(parts, posed, slot));
+        bounds.set(moved.clone().filter(|(_, slot)| !of_sky(slot)).map(|(i, slot)| boxed(i as usize, slot)));
+        if !sky_slots.is_empty() {
+            let skies_moved = moved.filter(|(_, slot)| of_sky(slot));
+            let place = |number: &u32| sky_slots.binary_search(number).ok();
+            skies.set(skies_moved.filter_map(|(number, slot)| Some(boxed(place(&number)?, slot))));
+        }
     }
 
     /// Returns what the planner needs to know of the world: all of it but skies, which would be most of every map and show
@@ -162,36 +147,54 @@ impl PartTable {
     pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
         let joins =
             |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
-        self.add(lists, volume, |part| part.casts, joins);
+        self.add(lists, volume.unwrap_or(&ConvexVolume::default()), |part| part.casts, joins);
     }
 
     /// Appends the draws of everything but veils that may touch `volume`, each with one material.
     pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume) {
         let joins = |last: &Draw, part: &PartRow| last.material == part.material;
-        self.add(lists, Some(volume), |part| part.cover != Cover::Veil, joins);
+        self.add(lists, volume, |part| part.cover != Cover::Veil, joins);
     }
 
     /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
     pub fn add_veils(&self, lists: &mut DrawLists, volume: &ConvexVolume, depth: impl Fn(Vec3) -> f32) {
-        let first = lists.draws.len();
-        for part in self.parts.iter().filter(|part| part.cover == Cover::Veil) {
-            for (instance, aabb) in part.instances.iter().zip(self.boxes(part)) {
-                if !aabb.is_empty() && volume.may_touch_box(aabb) {
-                    let number = lists.instances.len() as u32;
-                    lists.instances.push(*instance);
-                    lists.draws.push(Draw {
+        let DrawLists { instances, draws, ends, touched } = lists;
+        let first = draws.len();
+        if self.parts.last().is_some_and(|part| part.cover == Cover::Veil) {
+            self.touch(touched, volume);
+            touched.drain(|number| {
+                let Slot { part, instance } = self.slots[number as usize];
+                let part = &self.parts[part as usize];
+                if part.cover == Cover::Veil {
+                    let aabb = self.aabb(number);
+                    let place = instances.len() as u32;
+                    instances.push(instance);
+                    draws.push(Draw {
                         depth: depth(0.5 * (aabb.min + aabb.max)),
-                        ..part.draw(number..number + 1)
+                        ..part.draw(place..place + 1)
                     });
                 }
-            }
+            });
+            // No two are equal, so that the order is always the same.
+            let key = |draw: &Draw| draw.instances.start;
+            draws[first..].sort_unstable_by(|a, b| b.depth.total_cmp(&a.depth).then(key(a).cmp(&key(b))));
         }
-        lists.draws[first..].sort_by(|a, b| b.depth.total_cmp(&a.depth));
-        lists.ends.push(lists.draws.len());
+        ends.push(draws.len());
     }
 
-    fn boxes(&self, part: &PartRow) -> &[Aabb] {
-        &self.boxes[part.first_box..][..part.instances.len()]
+    /// The box of a slot.
+    fn aabb(&self, number: u32) -> Aabb {
+        match self.sky_slots.binary_search(&number) {
+            Ok(sky) => self.skies.objects()[sky],
+            Err(_) => self.bounds.objects()[number as usize],
+        }
+    }
+
+    /// Finds the slots whose boxes may touch a volume.
+    fn touch(&self, touched: &mut touched::Touched, volume: &ConvexVolume) {
+        touched.make_room(self.slots.len());
+        self.bounds.touching(volume, |number| touched.insert(number));
+        self.skies.touching(volume, |sky| touched.insert(self.sky_slots[sky as usize]));
     }
 
     /// Appends the draws of wanted parts that may touch a volume. A part that follows the last draw, on the same instances,
@@ -199,80 +202,78 @@ impl PartTable {
     fn add(
         &self,
         lists: &mut DrawLists,
-        volume: Option<&ConvexVolume>,
+        volume: &ConvexVolume,
         is_wanted: impl Fn(&PartRow) -> bool,
         may_join: impl Fn(&Draw, &PartRow) -> bool,
     ) {
-        if volume.is_some_and(ConvexVolume::is_empty) {
-            lists.ends.push(lists.draws.len());
-            return;
-        }
-        let first = lists.draws.len();
-        for part in self.parts.iter().filter(|part| is_wanted(part)) {
-            let start = lists.instances.len();
-            let touching = part
-                .instances
-                .iter()
-                .zip(self.boxes(part))
-                .filter(|(_, aabb)| !aabb.is_empty() && volume.is_none_or(|v| v.may_touch_box(aabb)));
-            lists.instances.extend(touching.map(|(instance, _)| *instance));
-            if lists.instances.len() == start {
-                continue;
+        let DrawLists { instances, draws, ends, touched } = lists;
+        let first = draws.len();
+        self.touch(touched, volume);
+        // The part whose instances are being listed.
+        let (mut open, mut start) = (None, 0);
+        touched.drain(|number| {
+            let Slot { part, instance } = self.slots[number as usize];
+            let row = &self.parts[part as usize];
+            if !is_wanted(row) {
+                return;
             }
-            if let Some(last) = lists.draws[first..].last_mut() {
-                let follows = last.indices.end == part.indices.start
-                    && last.base_vertex == part.base_vertex
-                    && last.cover == part.cover;
-                let before = last.instances.start as usize..last.instances.end as usize;
-                if follows && may_join(last, part) && lists.instances[before] == lists.instances[start..] {
-                    last.indices.end = part.indices.end;
-                    lists.instances.truncate(start);
-                    continue;
+            if open != Some(part) {
+                if let Some(open) = open {
+                    self.close(open, start, first, instances, draws, &may_join);
                 }
+                (open, start) = (Some(part), instances.len());
             }
-            lists.draws.push(part.draw(start as u32..lists.instances.len() as u32));
+            instances.push(instance);
+        });
+        if let Some(open) = open {
+            self.close(open, start, first, instances, draws, &may_join);
         }
-        lists.ends.push(lists.draws.len());
+        ends.push(draws.len());
     }
-}
 
-impl PartRow {
-    /// The draw of the part for a run of instance numbers.
-    fn draw(&self, instances: Range<u32>) -> Draw {
-        Draw {
-            indices: self.indices.clone(),
-            base_vertex: self.base_vertex,
-            material: self.material,
-            cover: self.cover,
-            mirrored: self.mirrored,
-            depth: 0.0,
-            instances,
+    /// Appends the draw of a part whose instances are listed from `start` on, or joins it to the last of the view's draws,
+    /// which begin at `first`.
+    fn close(
+        &self,
+        part: u32,
+        start: usize,
+        first: usize,
+        instances: &mut Vec<u32>,
+        draws: &mut Vec<Draw>,
+        may_join: impl Fn(&Draw, &PartRow) -> bool,
+    ) {
+        let part = &self.parts[part as usize];
+        if let Some(last) = draws[first..].last_mut() {
+            let follows = last.indices.end == part.indices.start
+                && last.base_vertex == part.base_vertex
+                && last.cover == part.cover;
+            let before = last.instances.start as usize..last.instances.end as usize;
+            if follows && may_join(last, part) && instances[before] == instances[start..] {
+                last.indices.end = part.indices.end;
+                instances.truncate(start);
+                return;
+            }
         }
+        draws.push(part.draw(start as u32..instances.len() as u32));
     }
 }
 
-/// What parts are drawn from: a mesh as it is, or one of its shapes.
-struct Source<'a> {
-    mesh: &'a Mesh,
-    first_index: u32,
-    base_vertex: i32,
-    shape: Option<usize>,
+/// The world box of a slot.
+fn aabb(parts: &[PartRow], posed: &Posed, slot: Slot) -> Aabb {
+    let part = &parts[slot.part as usize];
+    posed.instances[slot.instance as usize].world(part.local, part.mirrored)
 }
 
-/// All meshes, and then all shapes, with where they lie in the scene's buffers.
-fn sources<'a>(scene: &'a Scene, shapes: &Shapes) -> Vec<Source<'a>> {
-    let (mut first_index, mut base_vertex) = (0, 0);
-    let mut all = Vec::with_capacity(scene.meshes.len() + shapes.all.len());
-    for mesh in &scene.meshes {
-        all.push(Source { mesh, first_index, base_vertex, shape: None });
-        first_index += mesh.indices.len() as u32;
-        base_vertex += mesh.positions.len() as i32;
+/// Where the slots of each instance begin, and the numbers of them all.
+fn by_instance(slots: &[Slot], instances: usize) -> (Vec<u32>, Vec<u32>) {
+    let mut firsts = vec![0; instances + 1];
+    slots.iter().for_each(|slot| firsts[slot.instance as usize + 1] += 1);
+    for i in 0..instances {
+        firsts[i + 1] += firsts[i];
     }
-    for (i, shape) in shapes.all.iter().enumerate() {
-        let (base_vertex, shape_number) = (shape.first_vertex as i32, Some(i));
-        all.push(Source { base_vertex, shape: shape_number, ..all[shape.mesh] });
-    }
-    all
+    let mut numbers: Vec<u32> = (0..slots.len() as u32).collect();
+    numbers.sort_by_key(|number| slots[*number as usize].instance);
+    (firsts, numbers)
 }
 
 #[cfg(test)]

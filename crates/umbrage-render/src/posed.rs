@@ -1,4 +1,5 @@
-//! The instances of a scene as they stand in a pose, for culling: which are seen, where, and how far what is bent reaches.
+//! The instances of a scene as they stand in a pose, for culling: which are seen, where, how far what is bent reaches, and
+//! which of them another pose moves.
 
 use std::sync::Arc;
 
@@ -16,12 +17,20 @@ pub(crate) struct Posed {
     /// The boxes of each mesh that is bent, by mesh.
     bounds: Arc<[Option<DeformedBounds>]>,
     palette: Palette,
-    /// Where each instance stands; `None` for those that stand where they stood before.
-    pub instances: Vec<Option<Standing>>,
+    /// Room for the palette of another pose.
+    next: Palette,
+    /// Where each instance stands.
+    pub instances: Vec<Standing>,
+    /// The numbers of those instances that a pose may move.
+    dynamic: Arc<[u32]>,
+    /// Whether the last pose bent each shape otherwise.
+    pub bent: Vec<bool>,
+    /// The numbers of those instances that the last pose moved, bent or hid, in their order.
+    pub moved: Vec<u32>,
 }
 
 /// An instance as it stands.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Standing {
     world_from_mesh: Mat4,
     is_visible: bool,
@@ -30,30 +39,52 @@ pub(crate) struct Standing {
 }
 
 impl Posed {
-    pub fn new(scene: &Scene) -> Self {
+    /// The instances in a pose of their scene.
+    pub fn new(scene: &Scene, pose: &Pose) -> Self {
         let shapes = Arc::new(Shapes::of(scene));
         let mut bounds = vec![None; scene.meshes.len()];
         for shape in &shapes.all {
             bounds[shape.mesh].get_or_insert_with(|| DeformedBounds::of(&scene.meshes[shape.mesh]));
         }
-        let instances = Vec::with_capacity(scene.instances.len());
-        Self { shapes, bounds: bounds.into(), palette: Palette::default(), instances }
+        let mut palette = Palette::default();
+        palette.take(&shapes, pose);
+        let of_instances = scene.instances.iter().zip(&shapes.of_instance);
+        let instances = of_instances
+            .map(|(instance, shape)| Standing::of(instance, joints(&shapes, &palette, *shape), pose))
+            .collect();
+        let dynamic = (0..).zip(&scene.instances).filter(|(_, instance)| instance.is_dynamic());
+        Self {
+            dynamic: dynamic.map(|(number, _)| number).collect(),
+            bent: vec![false; shapes.all.len()],
+            shapes,
+            bounds: bounds.into(),
+            palette,
+            next: Palette::default(),
+            instances,
+            moved: Vec::new(),
+        }
     }
 
-    /// Takes on a pose: of all instances, or of those that are dynamic.
-    pub fn take(&mut self, instances: &[Instance], pose: &Pose, all: bool) {
-        let Self { shapes, palette, instances: standing, bounds: _ } = self;
+    /// Takes on another pose, and finds out what that moves.
+    pub fn take(&mut self, instances: &[Instance], pose: &Pose) {
+        let Self { shapes, bounds: _, palette, next, instances: standing, dynamic, bent, moved } = self;
+        std::mem::swap(palette, next);
+        let before = next;
         palette.take(shapes, pose);
-        standing.clear();
-        standing.extend(instances.iter().zip(&shapes.of_instance).map(|(instance, shape)| {
-            (all || instance.is_dynamic()).then(|| {
-                let world_from_mesh = instance.world_from_mesh_in(pose);
-                let joints = shape.and_then(|shape| shapes.all[shape as usize].joints);
-                let mirrored = may_turn_over(instance)
-                    .then(|| (world_from_mesh.determinant() < 0.0) != mirror(palette.joints(joints)));
-                Standing { world_from_mesh, is_visible: instance.is_visible_in(pose), mirrored }
-            })
-        }));
+        for (bent, shape) in bent.iter_mut().zip(&shapes.all) {
+            *bent = before.joints(shape.joints) != palette.joints(shape.joints)
+                || before.weights(shape.weights) != palette.weights(shape.weights);
+        }
+        moved.clear();
+        for &number in dynamic.iter() {
+            let i = number as usize;
+            let (Some(instance), shape) = (instances.get(i), shapes.of_instance[i]) else { continue };
+            let stands = Standing::of(instance, joints(shapes, palette, shape), pose);
+            if standing[i] != stands || shape.is_some_and(|shape| bent[shape as usize]) {
+                standing[i] = stands;
+                moved.push(number);
+            }
+        }
     }
 
     /// The box of a part of a shape, in the space of its instances.
@@ -64,9 +95,27 @@ impl Posed {
             .as_ref()
             .map_or(umbrage_scene::Aabb::EMPTY, |bounds| bounds.in_pose(part, joints, weights))
     }
+
+    /// Whether a pose may move, bend or hide an instance.
+    pub fn can_move(&self, instance: u32) -> bool {
+        self.dynamic.binary_search(&instance).is_ok()
+    }
+}
+
+/// The joints that bend an instance of a shape.
+fn joints<'a>(shapes: &Shapes, palette: &'a Palette, shape: Option<u32>) -> &'a [Mat4] {
+    palette.joints(shape.and_then(|shape| shapes.all[shape as usize].joints))
 }
 
 impl Standing {
+    /// An instance in a pose, bent by these joints.
+    fn of(instance: &Instance, joints: &[Mat4], pose: &Pose) -> Self {
+        let world_from_mesh = instance.world_from_mesh_in(pose);
+        let mirrored =
+            may_turn_over(instance).then(|| (world_from_mesh.determinant() < 0.0) != mirror(joints));
+        Self { world_from_mesh, is_visible: instance.is_visible_in(pose), mirrored }
+    }
+
     /// The world box of what has a box in mesh space, drawn as mirrored or not: empty where it is hidden, drawn the other way,
     /// or nowhere that has numbers.
     pub fn world(&self, local: umbrage_scene::Aabb, mirrored: bool) -> Aabb {

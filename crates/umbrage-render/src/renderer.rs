@@ -144,7 +144,7 @@ impl Renderer {
         let target = self.make_ready(frame)?;
         let start = Instant::now();
         let planned = self.cast(frame)?;
-        if !self.gpu.adapter.timestamps {
+        if !self.timer.is_running() {
             // Without timestamps the stages are timed one after the other.
             self.gpu.wait()?;
         }
@@ -181,6 +181,12 @@ impl Renderer {
     /// It never waits.
     pub fn pass_times(&mut self) -> Option<[f64; 4]> {
         self.timer.take(&self.gpu)
+    }
+
+    /// Times the passes of frames from now on, or no more. They are timed unless this turns it off: a device may not let
+    /// passes overlap between which it takes the time, so that frames are longer then.
+    pub fn set_pass_times(&mut self, on: bool) {
+        self.timer.switch(on);
     }
 
     /// Maps, pipelines and textures that fit the frame.

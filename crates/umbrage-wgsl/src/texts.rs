@@ -123,6 +123,20 @@ pub fn join_bindings() -> Vec<Binding> {
     ]
 }
 
+/// WGSL of a vertex shader `everywhere` and a fragment shader `restore`, which fill a whole tile from the maps of what stands.
+pub fn restore() -> String {
+    said(link(Recipe { roots: &["caster/restore"], ..Recipe::default() }))
+}
+
+/// What [`restore`] binds.
+pub fn restore_bindings() -> Vec<Binding> {
+    vec![
+        Binding::frame(Stages::Fragment),
+        Binding::current_view(Stages::Fragment),
+        Binding::depth_maps(2, "umbrage_still", Stages::Fragment),
+    ]
+}
+
 /// WGSL for a shader of your own that looks into the maps: the views and the lights, in `umbrage_frame` (binding 0 of
 /// group 0), and `umbrage_linear_depth(view_index, texel, stored) -> f32`, what a stored depth is worth.
 pub fn map() -> String {

@@ -9,6 +9,7 @@ use glam::DVec3;
 use crate::bounds::Aabb;
 use crate::convex::{ConvexBody, MAX_FACES};
 use crate::plane::PlaneF64;
+use crate::plane_set::PlaneSet;
 
 /// Planes are moved outward by this share of the slice's coordinates: what f32 calls visible must not be cut off.
 const MARGIN: f64 = 1e-6;
@@ -26,17 +27,7 @@ pub(crate) struct Cutter {
 
 /// The most edges of a body with that many faces, each edge counted for both of its faces.
 const MAX_EDGES: usize = 6 * MAX_FACES;
-
-/// How a box lies to a slice.
-#[expect(clippy::large_enum_variant, reason = "lives for one box, on the stack; a heap would cost more")]
-pub(crate) enum Within {
-    /// Nothing of it is inside.
-    Outside,
-    /// All of it is inside.
-    Inside,
-    /// These planes of the slice cut it.
-    Across(ArrayVec<PlaneF64, MAX_FACES>),
-}
+const _: () = assert!(MAX_FACES <= PlaneSet::MOST, "planes are told apart by bits");
 
 impl Cutter {
     /// For the slice with these corners.
@@ -64,27 +55,35 @@ impl Cutter {
         Self { edges, planes, margin }
     }
 
-    /// How the box `centre` ± `half` lies to the slice. Across may be said of a box outside, never the reverse.
-    pub fn classify(&self, centre: DVec3, half: DVec3) -> Within {
-        let mut across = ArrayVec::new();
-        for plane in &self.planes {
+    /// All planes of the slice.
+    pub fn planes(&self) -> PlaneSet {
+        PlaneSet::first(self.planes.len())
+    }
+
+    /// Those of some planes that cut the box `centre` ± `half`, which lies inside of all others; `None` where it lies outside.
+    /// Planes may be said to cut a box outside, never the reverse.
+    pub fn across(&self, centre: DVec3, half: DVec3, planes: PlaneSet) -> Option<PlaneSet> {
+        let mut across = planes;
+        for i in planes.iter() {
+            let plane = &self.planes[i];
             let (distance, reach) = (plane.signed_distance(centre), plane.normal.abs().dot(half));
             if distance < -reach {
-                return Within::Outside;
+                return None;
             }
-            if distance < reach {
-                let _fits = across.try_push(*plane);
+            if distance >= reach {
+                across.remove(i);
             }
         }
-        if across.is_empty() { Within::Inside } else { Within::Across(across) }
+        Some(across)
     }
 
     /// Gives `found` points whose convex hull is the part of the box within the slice. `across` are the planes that
     /// cut the box.
-    pub fn cut(&self, aabb: &Aabb, across: &[PlaneF64], mut found: impl FnMut(DVec3)) {
+    pub fn cut(&self, aabb: &Aabb, across: PlaneSet, mut found: impl FnMut(DVec3)) {
         let corners = ring_corners(aabb);
+        let across: ArrayVec<PlaneF64, MAX_FACES> = across.iter().map(|i| self.planes[i]).collect();
         for (a, b) in EDGES {
-            cut_edge(corners[a], corners[b], across, &mut found);
+            cut_edge(corners[a], corners[b], &across, &mut found);
         }
         // An edge of the body lies on two of its planes.
         if across.len() >= 2 {
@@ -151,10 +150,10 @@ mod tests {
     fn points_of(cutter: &Cutter, aabb: &Aabb) -> Vec<DVec3> {
         let (min, max) = (aabb.min.as_dvec3(), aabb.max.as_dvec3());
         let mut points = Vec::new();
-        match cutter.classify((min + max) * 0.5, (max - min) * 0.5) {
-            Within::Outside => {}
-            Within::Inside => points.extend(aabb.corners_f64()),
-            Within::Across(planes) => cutter.cut(aabb, &planes, |point| points.push(point)),
+        match cutter.across((min + max) * 0.5, (max - min) * 0.5, cutter.planes()) {
+            None => {}
+            Some(across) if across.is_empty() => points.extend(aabb.corners_f64()),
+            Some(across) => cutter.cut(aabb, across, |point| points.push(point)),
         }
         points
     }

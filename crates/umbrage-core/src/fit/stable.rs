@@ -20,7 +20,7 @@ pub(super) fn region<'a>(input: &ViewInput<'_>, receivers: &'a Receivers) -> (Re
     let centre = space.to_light(centre);
     let centre = DVec2::new(snap(centre.x, texel_metres), snap(centre.y, texel_metres));
     let (min, max) = (centre - DVec2::splat(half), centre + DVec2::splat(half));
-    let metres = if input.bounds.world.is_empty() {
+    let metres = if input.bounds.world().is_empty() {
         let depths = input.camera.slice_corners(input.depths.clone()).map(|corner| space.to_light(corner).z);
         depths.into_iter().fold(f64::INFINITY, f64::min)..depths.into_iter().fold(f64::NEG_INFINITY, f64::max)
     } else {

@@ -77,18 +77,12 @@ impl<'a> VisibleReceivers<'a> {
 
     /// Adds the box `centre` ± `half`; its corners only where the outline does not hold them already.
     pub fn add_box(&mut self, centre: DVec3, half: DVec3) {
-        let signs = [-1.0, 1.0];
         if self.space.apex.is_some() {
-            for (x, y, z) in
-                signs.iter().flat_map(|x| signs.iter().flat_map(move |y| signs.map(|z| (*x, *y, z))))
-            {
-                self.add(centre + half * DVec3::new(x, y, z));
-            }
+            corners(centre, half).for_each(|corner| self.add(corner));
             return;
         }
-        let LightSpace { right, up, axis, .. } = self.space;
-        let middle = self.space.to_light(centre);
-        let reach = DVec3::new(right.abs().dot(half), up.abs().dot(half), axis.abs().dot(half));
+        let LightSpace { right, up, .. } = self.space;
+        let (middle, reach) = self.across_light(centre, half);
         self.metres = widened(&self.metres, middle.z, reach.z);
         self.add_depth(centre, half);
         let middle = middle.truncate();
@@ -100,6 +94,24 @@ impl<'a> VisibleReceivers<'a> {
             self.outline.add(middle + corner);
             self.outline.add(middle - corner);
         }
+    }
+
+    /// Whether nothing in the box `centre` ± `half` adds anything to what was gathered.
+    pub fn holds_box(&self, centre: DVec3, half: DVec3) -> bool {
+        let (depth, reach) = (self.forward.dot(centre - self.eye), self.forward.abs().dot(half));
+        if !holds(&self.view_depths, depth, reach) {
+            return false;
+        }
+        if self.space.apex.is_some() {
+            return corners(centre, half).all(|corner| {
+                let place = self.space.to_light(corner);
+                self.before_apex(corner) == corner
+                    && holds(&self.metres, self.space.metres_at(place.z), 0.0)
+                    && self.outline.holds(place.truncate(), DVec2::ZERO)
+            });
+        }
+        let (middle, reach) = self.across_light(centre, half);
+        holds(&self.metres, middle.z, reach.z) && self.outline.holds(middle.truncate(), reach.truncate())
     }
 
     /// Replaces the depths along the light's axis by those of a body.
@@ -124,6 +136,13 @@ impl<'a> VisibleReceivers<'a> {
         point + axis * short.max(0.0)
     }
 
+    /// The middle of the box around the box `centre` ± `half` in the light space of a sun, and half of its sides.
+    fn across_light(&self, centre: DVec3, half: DVec3) -> (DVec3, DVec3) {
+        let LightSpace { right, up, axis, .. } = self.space;
+        let reach = DVec3::new(right.abs().dot(half), up.abs().dot(half), axis.abs().dot(half));
+        (self.space.to_light(centre), reach)
+    }
+
     fn add_depth(&mut self, centre: DVec3, half: DVec3) {
         let (depth, reach) = (self.forward.dot(centre - self.eye), self.forward.abs().dot(half));
         if depth - reach < self.view_depths.start {
@@ -136,6 +155,19 @@ impl<'a> VisibleReceivers<'a> {
 /// A range that also holds `middle` ± `reach`.
 fn widened(range: &Range<f64>, middle: f64, reach: f64) -> Range<f64> {
     range.start.min(middle - reach)..range.end.max(middle + reach)
+}
+
+/// Whether a range holds `middle` ± `reach`.
+fn holds(range: &Range<f64>, middle: f64, reach: f64) -> bool {
+    range.start <= middle - reach && middle + reach <= range.end
+}
+
+/// The corners of the box `centre` ± `half`.
+fn corners(centre: DVec3, half: DVec3) -> impl Iterator<Item = DVec3> {
+    (0..8).map(move |i| {
+        let sign = |bit: usize| if i >> bit & 1 == 0 { -1.0 } else { 1.0 };
+        centre + half * DVec3::new(sign(2), sign(1), sign(0))
+    })
 }
 
 #[cfg(test)]
@@ -179,7 +211,7 @@ mod tests {
         let (camera, bounds, _) = v29();
         let direction = DVec3::new(0.3, -1.0, -0.4).normalize_or_zero();
         let input = input(&camera, &bounds, LightFrustum::Parallel(direction));
-        let body = ConvexBody::of_slice(&camera.slice_corners(1.0..100.0)).clipped_by_box(&bounds.world);
+        let body = ConvexBody::of_slice(&camera.slice_corners(1.0..100.0)).clipped_by_box(&bounds.world());
         assert!((body.volume() - 131399.48056).abs() < 0.1, "{} m³", body.volume());
         let mut outline = Outline::default();
         let mut visible = VisibleReceivers::new(&input, &mut outline);

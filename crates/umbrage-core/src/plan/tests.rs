@@ -4,7 +4,7 @@ use glam::{DMat4, DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::{Projection, TexelExtent, texel_extent};
+use crate::{Aabb, Projection, TexelExtent, texel_extent};
 
 /// What the one view of a sun is made from, over these view depths.
 fn input<'a>(
@@ -104,7 +104,7 @@ fn loose_sides(input: &ViewInput<'_>) -> Option<DVec2> {
     let (low, high) = bounds_of(&mut corners.into_iter());
     let cut = input
         .bounds
-        .objects
+        .objects()
         .iter()
         .map(|object| Aabb { min: object.min.max(low.as_vec3()), max: object.max.min(high.as_vec3()) });
     let cut = cut.filter(|cut| !cut.is_empty()).flat_map(Aabb::corners_f64);
@@ -131,7 +131,7 @@ proptest! {
         let camera = Camera::looking(Vec3::from(eye), Vec3::new(0.1, 0.2, 0.3), Vec3::Y, projection, 1.0, 200.0);
         let Ok(camera) = camera else { return Ok(()) };
         let world = objects.iter().fold(Aabb::EMPTY, |sum, object| sum.union(*object));
-        let bounds = Bounds { world, objects };
+        let bounds = Bounds::within(world, objects);
         let settings = Settings { select: Select::Depth, ..Settings::default() };
         let direction = DVec3::from(direction).normalize_or(DVec3::NEG_Y);
         let input = input(&camera, &bounds, &settings, direction, near..near + reach);

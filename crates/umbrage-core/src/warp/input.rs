@@ -42,7 +42,7 @@ impl<'a> WarpInput<'a> {
             view_depths: outline.view_depths.clone(),
             nearest: outline.nearest,
             receivers: region.receivers,
-            world: input.bounds.world,
+            world: input.bounds.world(),
             padding: 0.5 * (input.padding() - 1.0),
         }
     }

@@ -42,7 +42,7 @@ pub fn world() -> Bounds {
         })
         .collect::<Vec<_>>();
     let world = objects.iter().fold(Aabb::EMPTY, |sum, object| sum.union(*object));
-    Bounds { world, objects }
+    Bounds::within(world, objects)
 }
 
 /// A point of the box, by shares of its edges.

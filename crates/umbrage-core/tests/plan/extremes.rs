@@ -79,9 +79,9 @@ proptest! {
         let min = Vec3::from_array(corner) * scale;
         let mut bounds = Bounds::of_world(min, min + Vec3::splat(10f32.powf(size_exponent)));
         if has_objects {
-            let Aabb { min, max } = bounds.world;
+            let Aabb { min, max } = bounds.world();
             let centre = min + (max - min) * 0.5;
-            bounds.objects = vec![Aabb { min, max: min }, Aabb { min, max: centre }, Aabb { min: centre, max }];
+            bounds = Bounds::within(bounds.world(), vec![Aabb { min, max: min }, Aabb { min, max: centre }, Aabb { min: centre, max }]);
         }
         let settings = Settings { fit, warp, splits, spot_splits: splits, lambda, unclipped_depth, ..Settings::default() };
         let (apex, range) = (Vec3::from_array(apex) * scale, 10f32.powf(range_exponent).max(f32::MIN_POSITIVE));
@@ -105,12 +105,12 @@ proptest! {
         let camera = looking(eye, view);
         let mut bounds = ground(eye);
         if has_objects {
-            let world = bounds.world;
+            let world = bounds.world();
             let boxes = (0..20).map(|i| {
                 let min = world.min + (world.max - world.min) * Vec3::new((i % 5) as f32 / 5.0, 0.0, (i / 5) as f32 / 4.0);
                 Aabb { min, max: min + 10.0 }
             });
-            bounds.objects = boxes.collect();
+            bounds = Bounds::within(world, boxes.collect());
         }
         let apex = eye + (aside - 0.5) * metres;
         let range = 10f32.powf(range_exponent);
@@ -132,7 +132,7 @@ fn worlds_of_nothing_a_triangle_a_flat_box_and_a_point_get_finite_maps() {
         let camera = looking(eye, Vec3::NEG_Z);
         for world in [Aabb::EMPTY, flat, upright, line, point] {
             for objects in [Vec::new(), vec![world], vec![Aabb::EMPTY]] {
-                let bounds = Bounds { world, objects };
+                let bounds = Bounds::within(world, objects);
                 for direction in [Vec3::NEG_Y, Vec3::NEG_Z, Vec3::Z, Vec3::X, Vec3::new(1.0, -2.0, 3.0)] {
                     for apex in [Vec3::ZERO, Vec3::Y * 5.0, Vec3::new(0.0, 0.0, -5.0), eye] {
                         for light in [

@@ -37,8 +37,8 @@ proptest! {
         points in proptest::collection::vec(share(), 60),
     ) {
         let bounds = world();
-        let points: Vec<Vec3> = points.iter().map(|share| point_in(&bounds.world, *share)).collect();
-        let lamp = 0.5 * (bounds.world.min + bounds.world.max);
+        let points: Vec<Vec3> = points.iter().map(|share| point_in(&bounds.world(), *share)).collect();
+        let lamp = 0.5 * (bounds.world().min + bounds.world().max);
         let lights = [
             Light::directional(sun).unwrap(),
             Light::spot(lamp, sun, 0.6, 500.0).unwrap(),
@@ -50,7 +50,7 @@ proptest! {
             let mut before: Option<Vec<ShadowView>> = None;
             let mut seen = 0;
             for (share, forward) in &eyes {
-                let eye = point_in(&bounds.world, *share);
+                let eye = point_in(&bounds.world(), *share);
                 let camera = Camera::looking(eye, eye + *forward, Vec3::Y, projection, 0.1, 300.0).unwrap();
                 let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
                 // Only faces of point lights lie still under a fit to the scene.

@@ -38,7 +38,7 @@ const FRONT: f64 = 1e-3;
 
 /// The depths along an axis that are in front of the apex, and within the light's range and the world.
 fn front(bounds: &Bounds, apex: DVec3, axis: DVec3, range: f32) -> Range<f64> {
-    let corners = bounds.world.corners().map(|corner| axis.dot(corner.as_dvec3() - apex));
+    let corners = bounds.world().corners().map(|corner| axis.dot(corner.as_dvec3() - apex));
     let reach = corners.into_iter().fold(0.0, f64::max).min(f64::from(range));
     FRONT * reach..reach
 }
@@ -97,7 +97,7 @@ proptest! {
         let (apex, axis) = (position.as_dvec3(), direction.as_dvec3());
         let front = front(&bounds, apex, axis, range);
         for (object, share, toward_light) in shares {
-            let receiver = point_in(&bounds.objects[object], share);
+            let receiver = point_in(&bounds.objects()[object], share);
             let (depth, is_seen) = seen(&camera, receiver);
             let ray = receiver.as_dvec3() - apex;
             let is_lit = axis.angle_between(ray) < f64::from(half_angle) && ray.length() < f64::from(range);
@@ -109,7 +109,7 @@ proptest! {
             let slack = 1e-5 * (1.0 + depth);
             prop_assert!(ends.start - slack <= depth && depth <= ends.end + slack, "{depth} m is not in {ends:?}");
             let split = views[1..].iter().filter(|view| depth >= view.depths.start).count();
-            check(&views[split], receiver, (apex, axis), toward_light, &front, &bounds.world)?;
+            check(&views[split], receiver, (apex, axis), toward_light, &front, &bounds.world())?;
         }
     }
 
@@ -126,12 +126,12 @@ proptest! {
         prop_assert_eq!(plan.views().len(), 6);
         let apex = apex.as_dvec3();
         for (object, share, toward_light) in shares {
-            let receiver = point_in(&bounds.objects[object], share);
+            let receiver = point_in(&bounds.objects()[object], share);
             let ray = receiver.as_dvec3() - apex;
             let (face, axis) = face(ray);
             let front = front(&bounds, apex, axis, range);
             if seen(&camera, receiver).1 && ray.length() < f64::from(range) && axis.dot(ray) > front.start {
-                check(&plan.views()[face], receiver, (apex, axis), toward_light, &front, &bounds.world)?;
+                check(&plan.views()[face], receiver, (apex, axis), toward_light, &front, &bounds.world())?;
             }
         }
     }
@@ -179,7 +179,7 @@ fn a_spots_map_far_from_the_origin_is_as_fine_as_near_it() {
             let settings = Settings { fit, warp, ..Settings::default() };
             let top = origin + Vec3::new(0.0, 2.0, -6.0);
             let pole = Aabb { min: top - Vec3::new(0.0625, 2.0, 0.0625), max: top + 0.0625 };
-            let bounds = Bounds { world: aabb, objects: vec![aabb, pole] };
+            let bounds = Bounds::within(aabb, vec![aabb, pole]);
             plan(&camera, &[spot], &bounds, &settings).unwrap().views()[0].texel_metres
         };
         let near = texel(Vec3::ZERO);
@@ -234,7 +234,7 @@ fn a_spots_splits_cut_the_depths_that_it_reaches() {
     // From 10 m above, straight down: a cone of 45° lights the ground from 20 − 10 to 20 + 10 m before the eye.
     let camera = straight_camera();
     let world = Aabb { min: Vec3::new(-50.0, -1.0, -50.0), max: Vec3::new(50.0, 12.0, 50.0) };
-    let bounds = Bounds { world, objects: Vec::new() };
+    let bounds = Bounds::within(world, Vec::new());
     let spot =
         Light::spot(Vec3::new(0.0, 9.0, -20.0), Vec3::NEG_Y, std::f32::consts::FRAC_PI_4, 100.0).unwrap();
     let settings = Settings { spot_splits: 3, ..Settings::default() };
@@ -257,7 +257,7 @@ proptest! {
         let bounds = world();
         let settings = Settings { fit, warp, ..Settings::default() };
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
-        let point = point_in(&bounds.objects[object], share);
+        let point = point_in(&bounds.objects()[object], share);
         for view in plan.views().iter().filter(|view| view.covers(point.as_dvec3(), 0.0)) {
             let clip = view.clip_from_world * point.as_dvec3().extend(1.0);
             let ndc = clip.truncate() / clip.w;

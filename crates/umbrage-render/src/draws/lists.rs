@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::touched::Touched;
 use crate::cover::Cover;
 
 /// One draw: a range of indices, for a run of instances in the list of instance numbers.
@@ -31,12 +32,13 @@ pub struct DrawLists {
     pub(super) draws: Vec<Draw>,
     /// Where each view's draws end.
     pub(super) ends: Vec<usize>,
+    pub(super) touched: Touched,
 }
 
 impl DrawLists {
     /// Removes all views.
     pub fn clear(&mut self) {
-        let Self { instances, draws, ends } = self;
+        let Self { instances, draws, ends, touched: _ } = self;
         instances.clear();
         draws.clear();
         ends.clear();

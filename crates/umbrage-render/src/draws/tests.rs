@@ -1,7 +1,7 @@
 //! Tests of which parts are drawn into a view.
 
 use glam::{Mat4, Vec2, Vec3};
-use umbrage_scene::Primitive;
+use umbrage_scene::{Mesh, Primitive};
 
 use super::*;
 
@@ -67,7 +67,7 @@ fn what_casts_nothing_is_seen_and_drawn_into_no_map_and_skies_are_not_planned_fo
         table.add_casters(&mut lists, None);
         table.add_seen(&mut lists, &everywhere());
         let of = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
-        (of(0), of(1), table.bounds().objects.len())
+        (of(0), of(1), table.bounds().objects().iter().filter(|aabb| !aabb.is_empty()).count())
     };
     // Four parts and twice two, of 4 triangles each.
     assert_eq!(triangles(&scene), (8192 + 16, 8192 + 16, 8));
@@ -77,7 +77,7 @@ fn what_casts_nothing_is_seen_and_drawn_into_no_map_and_skies_are_not_planned_fo
     assert_eq!(triangles(&scene), (8, 8192 + 16, 8));
     scene.materials[0].unlit = true;
     assert_eq!(triangles(&scene), (8, 8192 + 16, 4), "the long row is a sky");
-    assert_eq!(PartTable::new(&scene).bounds().world.min.z, 50.0);
+    assert_eq!(PartTable::new(&scene).bounds().world().min.z, 50.0);
     scene.instances[0].casts = true;
     assert_eq!(triangles(&scene), (8192 + 8, 8192 + 16, 8), "what is unlit and casts is no sky");
 }
@@ -91,7 +91,7 @@ fn lists_that_are_made_again_take_no_more_room() {
         lists.clear();
         table.add_casters(&mut lists, None);
         table.add_seen(&mut lists, &before(50.0));
-        let DrawLists { instances, draws, ends } = &lists;
+        let DrawLists { instances, draws, ends, touched: _ } = &lists;
         let (instances, draws, ends) = (instances.as_ptr_range(), draws.as_ptr_range(), ends.as_ptr_range());
         (instances, draws, ends)
     };
@@ -138,4 +138,27 @@ fn solid_parts_come_first_and_veils_from_the_deepest_on() {
     assert_eq!(covers(2), [Cover::Veil; 6]);
     let depths: Vec<f32> = lists.view(2).iter().map(|draw| draw.depth).collect();
     assert!(depths.is_sorted_by(|a, b| a >= b) && depths[0] > 50.0 && depths[5] < 10.0, "{depths:?}");
+}
+
+#[test]
+fn an_epoch_is_the_number_of_the_last_move_that_changed_an_instance() {
+    let mut scene = scene();
+    let turn = |radians_per_second| umbrage_scene::Motion::Rotation {
+        centre: Vec3::ZERO,
+        axis: Vec3::Y,
+        radians_per_second,
+    };
+    scene.instances[1].motion = turn(1.0);
+    // What turns by nothing may move, and does not.
+    scene.instances[2].motion = turn(0.0);
+    let mut table = PartTable::new(&scene);
+    assert_eq!([0, 1, 2, 3].map(|i| table.can_move(i)), [false, true, true, false]);
+    let mut epochs = |seconds| {
+        table.move_to(&scene.instances, &Pose::at(seconds));
+        [0, 1, 2, 3].map(|i| table.epoch(i))
+    };
+    assert_eq!(epochs(0.0), [0, 0, 0, 0], "it stands there already");
+    assert_eq!(epochs(1.0), [0, 1, 0, 0]);
+    assert_eq!(epochs(1.0), [0, 1, 0, 0], "the same pose");
+    assert_eq!(epochs(0.0), [0, 2, 0, 0], "back, which is another move");
 }

@@ -160,6 +160,7 @@ fn the_other_texts_are_valid_wgsl_and_bind_what_they_say() {
     binds("caster", &caster(2), 2, &caster_bindings(), true);
     binds("second caster", &second_caster(3), 3, &peel_bindings(), true);
     binds("peel", &peel(), 0, &peel_bindings(), true);
+    binds("restore", &restore(), 0, &restore_bindings(), true);
     binds("clear", &clear(), 0, &[], true);
     binds("map", &map(), 0, &[Binding::frame(Stages::Fragment)], true);
     for layer in [DepthLayer::Second, DepthLayer::Midpoint, DepthLayer::Dual] {

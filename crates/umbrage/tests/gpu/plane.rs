@@ -65,7 +65,7 @@ fn what_is_flattened_onto_the_near_plane_still_shadows_a_plane_that_reaches_beyo
     let lid = square(200.0, 0.0, light * (60.0 / light.y));
     let flat = |[[a, _, c], _]: [[Vec3; 3]; 2]| Aabb { min: a, max: c };
     let objects = vec![flat(ground), flat(lid)];
-    let bounds = Bounds { world: objects[0].union(objects[1]), objects };
+    let bounds = Bounds::new(objects);
     let queries = queries(&ground, &camera, 4000);
     assert!(queries.len() > 5000, "the camera sees the ground: {}", queries.len());
     for filter in [Filter::Bilinear {}, Filter::Pcf { size: 9 }] {

@@ -80,10 +80,7 @@ fn measured(
     eye: f32,
 ) -> f64 {
     let world = plate(height, turn);
-    let bounds = Bounds {
-        world: Aabb { min: Vec3::new(-13.0, 0.0, -13.0), max: Vec3::new(13.0, height, 13.0) },
-        objects: Vec::new(),
-    };
+    let bounds = Bounds::of_world(Vec3::new(-13.0, 0.0, -13.0), Vec3::new(13.0, height, 13.0));
     let device = device(wgpu::Backends::VULKAN);
     let drawn = draw_lit(device, settings.clone(), &camera(eye), &[light], &world, &bounds);
     radius_of(&drawn.visibility(&across(turn, reach, 0.0)), reach, middle)
@@ -193,7 +190,7 @@ fn blockers_before_the_near_plane_keep_their_distance() {
     let (height, degrees) = (6.0, 6.0);
     let floor = Aabb { min: Vec3::new(-9.0, 0.0, -9.0), max: Vec3::new(9.0, 0.0, 9.0) };
     let plate_box = Aabb { min: Vec3::new(-9.0, height, -9.0), max: Vec3::new(0.0, height, 9.0) };
-    let bounds = Bounds { world: floor.union(plate_box), objects: vec![floor, plate_box] };
+    let bounds = Bounds::new(vec![floor, plate_box]);
     // Without the receiver's plane, which would want room before the floor.
     let bias = Bias { receiver_plane: false, ..Bias::default() };
     let filter = Filter::Pcss(Pcss { max_texels: 120.0, ..pcss(degrees) });

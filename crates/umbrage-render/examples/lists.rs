@@ -1,0 +1,149 @@
+//! What a frame costs before anything is drawn: moving boxes, planning and listing, of 50,000 things over kilometres, on one
+//! thread. It needs no GPU. Times are medians with the least and the most of them.
+//!
+//! `cargo run --release -p umbrage-render --example lists -- [THINGS] [FRAMES]`
+
+use std::time::Instant;
+
+use glam::{Mat4, Vec2, Vec3};
+use umbrage_render::draws::{DrawLists, PartTable};
+use umbrage_render::umbrage::{
+    Camera, CameraError, ConvexVolume, Light, Projection, Settings, ShadowPlan, plan,
+};
+use umbrage_scene::{Instance, Material, Mesh, Motion, Pose, Primitive, Scene};
+
+/// The world is so large, metres.
+const SIDE: f32 = 6000.0;
+/// The quads along a side of the ground, in one mesh.
+const GROUND: u32 = 400;
+/// Frames come so many seconds after each other.
+const STEP_SECONDS: f32 = 1.0 / 60.0;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut args = std::env::args().skip(1);
+    let things: u32 = args.next().map_or(Ok(50_000), |count| count.parse())?;
+    let frames: usize = args.next().map_or(Ok(60), |count| count.parse())?;
+    println!("{things} things, {frames} frames, ms");
+    println!("{:34}{:>24}{:>24}{:>24}{:>24}", "", "move", "plan", "lists", "all");
+    for (lights, name) in [(sun()?, "a sun"), (points()?, "4 point lights")] {
+        for (moving, motion) in [(0, "nothing moves"), (100, "1 in 100 moves"), (1, "all move")] {
+            measure(&format!("{name}, {motion}"), &scene(things, moving), &lights, frames, -0.1)?;
+        }
+        measure(&format!("{name}, nothing in view"), &scene(things, 0), &lights, frames, 4.0)?;
+    }
+    Ok(())
+}
+
+/// Flies over a scene, looking down or up by this slope, and prints what each frame took.
+fn measure(
+    name: &str,
+    scene: &Scene,
+    lights: &[Light],
+    frames: usize,
+    slope: f32,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let mut table = PartTable::new(scene);
+    let mut lists = DrawLists::default();
+    let mut planned: ShadowPlan = plan(&camera(0, slope)?, lights, table.bounds(), &Settings::default())?;
+    let mut times: [Vec<f64>; 4] = Default::default();
+    for frame in 0..=frames {
+        let camera = camera(frame, slope)?;
+        let pose = Pose::at(frame as f32 * STEP_SECONDS);
+        let start = Instant::now();
+        table.move_to(&scene.instances, &pose);
+        let moved = start.elapsed();
+        planned.replan(&camera, lights, table.bounds(), &Settings::default())?;
+        let after_plan = start.elapsed();
+        list(&mut lists, &planned, &camera, &table);
+        let all = start.elapsed();
+        // The first frame makes the room that the others use.
+        if frame > 0 {
+            for (times, time) in times.iter_mut().zip([moved, after_plan - moved, all - after_plan, all]) {
+                times.push(time.as_secs_f64() * 1e3);
+            }
+        }
+    }
+    println!("{name:34}{}  {} instances drawn", times.map(spread).concat(), lists.instances().len());
+    Ok(())
+}
+
+/// All of a frame's lists, as the renderer makes them.
+fn list(lists: &mut DrawLists, plan: &ShadowPlan, camera: &Camera, table: &PartTable) {
+    lists.clear();
+    for view in plan.views() {
+        table.add_casters(lists, Some(&view.casters));
+    }
+    let seen = ConvexVolume::of_clip(&camera.clip_from_world());
+    table.add_seen(lists, &seen);
+    table.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
+}
+
+/// The camera of a frame: 30 m above the ground, at 30 m a second, in a slow turn.
+fn camera(frame: usize, slope: f32) -> Result<Camera, CameraError> {
+    let (sin, cos) = (0.004 * frame as f32).sin_cos();
+    let eye = Vec3::new(-400.0 + 0.5 * frame as f32, 30.0, 0.2 * frame as f32);
+    let projection = Projection::Perspective { fov_y: 0.9, aspect: 16.0 / 9.0 };
+    Camera::looking(eye, eye + Vec3::new(cos, slope, sin), Vec3::Y, projection, 0.5, 3000.0)
+}
+
+fn sun() -> Result<Vec<Light>, Box<dyn std::error::Error>> {
+    Ok(vec![Light::directional(Vec3::new(0.5, -1.0, 0.3))?])
+}
+
+fn points() -> Result<Vec<Light>, Box<dyn std::error::Error>> {
+    let at = |x: f32, z: f32| Light::point(Vec3::new(x, 40.0, z), 300.0);
+    Ok(vec![at(0.0, 0.0)?, at(0.0, 400.0)?, at(-200.0, -300.0)?, at(900.0, 100.0)?])
+}
+
+/// Things of five meshes and a ground in one mesh. One in `moving` turns; none where that is 0.
+fn scene(things: u32, moving: u32) -> Scene {
+    let mut meshes: Vec<Mesh> = (0..5).map(|i| Mesh::new("thing", &[tetrahedron(1.0 + i as f32)])).collect();
+    meshes.push(Mesh::new("ground", &[ground()]));
+    let mut random = 1u32;
+    let mut share = || {
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (random >> 8) as f32 / (1u32 << 24) as f32
+    };
+    let mut instances: Vec<Instance> = (0..things)
+        .map(|i| {
+            let centre = Vec3::new(share() - 0.5, 0.005 * share(), share() - 0.5) * SIDE;
+            let turns = moving > 0 && i % moving == 0;
+            let turn = Motion::Rotation { centre, axis: Vec3::Y, radians_per_second: 1.0 };
+            Instance {
+                motion: if turns { turn } else { Motion::Still },
+                ..Instance::still(i as usize % 5, Mat4::from_translation(centre))
+            }
+        })
+        .collect();
+    instances.push(Instance::still(5, Mat4::IDENTITY));
+    let materials = vec![Material::plain("grey", 0.5, 0.5, 0.5)];
+    Scene { meshes, instances, materials, ..Scene::default() }
+}
+
+fn tetrahedron(size: f32) -> Primitive {
+    let positions = vec![Vec3::ZERO, Vec3::X * size, Vec3::Y * size, Vec3::Z * size];
+    of(positions, vec![0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2])
+}
+
+fn ground() -> Primitive {
+    let row = GROUND + 1;
+    let at = |i: u32| {
+        let [x, z] = [i % row, i / row].map(|k| (k as f32 / GROUND as f32 - 0.5) * SIDE);
+        Vec3::new(x, 0.0, z)
+    };
+    let quads = (0..GROUND * GROUND).map(|i| i % GROUND + i / GROUND * row);
+    let indices = quads.flat_map(|a| [a, a + row, a + 1, a + 1, a + row, a + row + 1]).collect();
+    of((0..row * row).map(at).collect(), indices)
+}
+
+fn of(positions: Vec<Vec3>, indices: Vec<u32>) -> Primitive {
+    let (normals, uvs) = (vec![Vec3::Y; positions.len()], vec![Vec2::ZERO; positions.len()]);
+    Primitive { positions, normals, uvs, indices, ..Primitive::default() }
+}
+
+/// The median of times, the least and the most.
+fn spread(mut times: Vec<f64>) -> String {
+    times.sort_by(f64::total_cmp);
+    let [least, median, most] = [0, times.len() / 2, times.len().saturating_sub(1)].map(|i| times[i]);
+    format!("{median:9.3} ({least:.3} to {most:.3})")
+}
