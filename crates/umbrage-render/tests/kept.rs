@@ -1,11 +1,8 @@
 //! Tiles that are kept: whatever moves, a renderer that keeps them draws what one draws that forgets every frame, and what
 //! stands costs nothing.
 
-mod common;
-
 use std::sync::Arc;
 
-use common::gpu;
 use glam::{Mat4, Vec3};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng as _;
@@ -78,7 +75,7 @@ fn compare(gpu: &Gpu, world: &str, settings: &Settings, steps: usize) -> [usize;
 
 #[test]
 fn a_random_walk_shows_what_a_renderer_shows_that_forgets_every_frame() {
-    let gpu = gpu();
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
     let settings = Settings { resolution: 256, ..Settings::default() };
     let atlas = Settings { storage: Storage::Atlas, depth: DepthFormat::U16, ..settings.clone() };
     let stable = Settings { fit: Fit::Stable, select: Select::Depth, ..settings.clone() };
@@ -104,7 +101,10 @@ fn a_random_walk_shows_what_a_renderer_shows_that_forgets_every_frame() {
 
 #[test]
 fn what_stands_is_drawn_once_and_what_moves_alone_after_that() {
-    let (gpu, scene) = (gpu(), worlds::build("brick-ground", 0).expect("a world"));
+    let (gpu, scene) = (
+        Gpu::new(Some("vulkan")).expect("run scripts/setup"),
+        worlds::build("brick-ground", 0).expect("a world"),
+    );
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let mut triangles = |seconds: f32| {
         let pose = Arc::new(scene.pose(seconds));
