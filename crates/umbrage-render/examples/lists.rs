@@ -74,7 +74,7 @@ fn list(lists: &mut DrawLists, plan: &ShadowPlan, camera: &Camera, table: &PartT
         table.add_casters(lists, Some(&view.casters));
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    table.add_seen(lists, &seen);
+    table.add_seen(lists, &seen, camera.eye());
     table.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }
 

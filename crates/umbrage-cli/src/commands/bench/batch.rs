@@ -21,6 +21,8 @@ pub enum Way {
     Unshadowed,
     /// With every part of the world drawn into every map.
     Unculled,
+    /// With every map drawn anew.
+    Forgetful,
 }
 
 /// What frames of one way took.
@@ -47,6 +49,7 @@ impl Timed {
     ) -> Result<(), RenderError> {
         let [before, batch] = [std::slice::from_ref(before), batch].map(|frames| way.frames(frames));
         renderer.cull_parts = way != Way::Unculled;
+        renderer.keep_tiles = way != Way::Forgetful;
         let between = pipelined(renderer, gpu, &before[0], &batch)?;
         renderer.render(&before[0])?;
         for (frame, between) in batch.iter().zip(&between) {
@@ -55,7 +58,7 @@ impl Timed {
             self.frames.push(FrameTimes { frame: *between, ..rendered.times });
         }
         self.batches.push(between.iter().sum::<f64>() / between.len() as f64);
-        renderer.cull_parts = true;
+        (renderer.cull_parts, renderer.keep_tiles) = (true, true);
         Ok(())
     }
 }
@@ -63,7 +66,7 @@ impl Timed {
 impl Way {
     fn frames(self, frames: &[Frame]) -> Vec<Frame> {
         let shown = |frame: &Frame| match self {
-            Self::Shadowed | Self::Unculled => frame.clone(),
+            Self::Shadowed | Self::Unculled | Self::Forgetful => frame.clone(),
             Self::Unshadowed => Frame { show: Show::Unshadowed, ..frame.clone() },
         };
         frames.iter().map(shown).collect()
