@@ -40,7 +40,8 @@ impl World {
         };
         let (file, cameras) =
             (worlds.join(&stem).with_extension("glb"), worlds.join(&stem).with_extension("json"));
-        let export = ["worlds", "export", &source, &text(&file), "--bake", "--cameras", &text(&cameras)];
+        let export =
+            ["worlds", "export", &source, &text(&file), "--bake", "--apart", "--cameras", &text(&cameras)];
         run(&text(&program.umbrage), &export)?;
         let views: Value = serde_json::from_str(&std::fs::read_to_string(&cameras)?)?;
         let triangles = views["triangles"].as_u64().context("the world's cameras say no triangles")?;

@@ -42,10 +42,12 @@ pub struct Peer {
 impl Peer {
     /// Loads a world, and waits until all of it has come.
     pub fn load(args: &Args, view: View, sun: Vec3) -> anyhow::Result<Self> {
-        let scene = args.scene.canonicalize().with_context(|| format!("cannot read {}", args.scene.display()))?;
+        let scene =
+            args.scene.canonicalize().with_context(|| format!("cannot read {}", args.scene.display()))?;
         let done = Done::default();
         let mut app = start(args, &done);
-        let mut image = Image::new_target_texture(args.width, args.height, TextureFormat::Rgba8UnormSrgb, None);
+        let mut image =
+            Image::new_target_texture(args.width, args.height, TextureFormat::Rgba8UnormSrgb, None);
         image.texture_descriptor.usage |= TextureUsages::COPY_SRC;
         let world = app.world_mut();
         let target = world.resource_mut::<Assets<Image>>().add(image);
@@ -101,7 +103,8 @@ impl Peer {
     pub fn triangles(&mut self) -> usize {
         let mut placed = self.app.world_mut().query::<&Mesh3d>();
         let meshes = self.app.world().resource::<Assets<Mesh>>();
-        let corners = |mesh: &Mesh| mesh.indices().map_or_else(|| mesh.count_vertices(), |indices| indices.len());
+        let corners =
+            |mesh: &Mesh| mesh.indices().map_or_else(|| mesh.count_vertices(), |indices| indices.len());
         placed.iter(self.app.world()).filter_map(|mesh| meshes.get(mesh)).map(|mesh| corners(mesh) / 3).sum()
     }
 }
@@ -147,8 +150,12 @@ fn load(app: &mut App, scene: &Path) -> anyhow::Result<()> {
         }
         match server.recursive_dependency_load_state(&handle) {
             RecursiveDependencyLoadState::Loaded => break,
-            RecursiveDependencyLoadState::Failed(why) => bail!("Bevy cannot load all of the world ({why}): {}", scene.display()),
-            RecursiveDependencyLoadState::NotLoaded | RecursiveDependencyLoadState::Loading => std::thread::sleep(TURN),
+            RecursiveDependencyLoadState::Failed(why) => {
+                bail!("Bevy cannot load all of the world ({why}): {}", scene.display())
+            }
+            RecursiveDependencyLoadState::NotLoaded | RecursiveDependencyLoadState::Loading => {
+                std::thread::sleep(TURN)
+            }
         }
     }
     ensure!(server.is_loaded_with_dependencies(&handle), "Bevy does not finish loading {}", scene.display());

@@ -15,6 +15,7 @@ mod views;
 use std::path::PathBuf;
 
 use anyhow::ensure;
+use bevy::math::Vec3;
 use clap::Parser;
 use serde_json::json;
 
@@ -33,8 +34,8 @@ pub struct Args {
     #[arg(long, default_value = "0")]
     pub camera: String,
     /// The way sunlight travels, as X,Y,Z; that of the world's first sun where it is not given
-    #[arg(long, value_delimiter = ',', num_args = 3, allow_hyphen_values = true)]
-    pub sun: Option<Vec<f32>>,
+    #[arg(long, allow_hyphen_values = true, value_parser = views::direction)]
+    pub sun: Option<Vec3>,
     /// Width of the picture, pixels
     #[arg(long, default_value_t = 640)]
     pub width: u32,
@@ -66,10 +67,20 @@ pub struct Args {
 
 fn main() -> anyhow::Result<()> {
     let args = Args::parse();
-    ensure!(args.maps > 0 && args.resolution > 0, "need a map of at least one texel, got {} of {}²", args.maps, args.resolution);
-    ensure!(args.width > 0 && args.height > 0, "need a picture of at least one pixel, got {} x {}", args.width, args.height);
+    ensure!(
+        args.maps > 0 && args.resolution > 0,
+        "need a map of at least one texel, got {} of {}²",
+        args.maps,
+        args.resolution
+    );
+    ensure!(
+        args.width > 0 && args.height > 0,
+        "need a picture of at least one pixel, got {} x {}",
+        args.width,
+        args.height
+    );
     let views = Views::read(&args.cameras)?;
-    let mut peer = Peer::load(&args, views.camera(&args.camera)?, views.sun(args.sun.as_deref())?)?;
+    let mut peer = Peer::load(&args, views.camera(&args.camera)?, views.sun(args.sun)?)?;
     let (mut with, mut without) = (Vec::new(), Vec::new());
     for _ in 0..args.batches {
         without.push(peer.batch(false, args.frames)?);

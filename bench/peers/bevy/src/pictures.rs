@@ -18,7 +18,9 @@ impl Peer {
     /// Writes all three into a folder.
     pub fn write_pictures(&mut self, folder: &Path) -> anyhow::Result<()> {
         std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        for (name, lux, shadows) in [("lit", SUN_LUX, true), ("unshadowed", SUN_LUX, false), ("ambient", 0.0, false)] {
+        for (name, lux, shadows) in
+            [("lit", SUN_LUX, true), ("unshadowed", SUN_LUX, false), ("ambient", 0.0, false)]
+        {
             self.change_sun(|sun| (sun.illuminance, sun.shadow_maps_enabled) = (lux, shadows));
             self.settle();
             self.write_picture(folder.join(name).with_extension("png"))?;

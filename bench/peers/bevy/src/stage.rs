@@ -32,7 +32,11 @@ pub fn cascades(args: &Args, view: &View) -> CascadeShadowConfig {
 
 /// The sun, whose light travels along `direction`.
 pub fn sun(direction: Vec3, cascades: CascadeShadowConfig) -> impl Bundle {
-    (DirectionalLight { illuminance: SUN_LUX, ..default() }, cascades, looking(Vec3::ZERO, direction, Vec3::Y))
+    (
+        DirectionalLight { illuminance: SUN_LUX, ..default() },
+        cascades,
+        looking(Vec3::ZERO, direction, Vec3::Y),
+    )
 }
 
 /// The camera, which draws into a picture without a window: no tone mapping, so that light stays linear.
@@ -42,7 +46,12 @@ pub fn camera(args: &Args, view: &View, target: RenderTarget) -> impl Bundle {
     let projection = match (view.fov_y_degrees, view.half_height) {
         (None, Some(half)) => {
             let area = Rect::new(-half * aspect_ratio, -half, half * aspect_ratio, half);
-            Projection::Orthographic(OrthographicProjection { near, far, area, ..OrthographicProjection::default_3d() })
+            Projection::Orthographic(OrthographicProjection {
+                near,
+                far,
+                area,
+                ..OrthographicProjection::default_3d()
+            })
         }
         (fov, _) => {
             let fov = fov.unwrap_or(60.0).to_radians();

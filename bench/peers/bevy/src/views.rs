@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context as _, ensure};
+use anyhow::Context as _;
 use bevy::math::Vec3;
 use serde::Deserialize;
 
@@ -42,7 +42,8 @@ struct Light {
 impl Views {
     /// Reads the file.
     pub fn read(path: &Path) -> anyhow::Result<Self> {
-        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text =
+            std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
         serde_json::from_str(&text).with_context(|| format!("not what --cameras writes: {}", path.display()))
     }
 
@@ -53,14 +54,22 @@ impl Views {
         camera.cloned().with_context(|| format!("there is no camera `{wanted}` among {}", self.cameras.len()))
     }
 
-    /// The way sunlight travels: what is wanted, or that of the first sun.
-    pub fn sun(&self, wanted: Option<&[f32]>) -> anyhow::Result<Vec3> {
-        let of_world = || self.lights.iter().find(|light| light.kind == "sun")?.direction;
-        let direction = match wanted {
-            Some(wanted) => Vec3::from_slice(wanted),
-            None => of_world().context("the world has no sun; give one with --sun X,Y,Z")?.into(),
-        };
-        ensure!(direction.length() > 0.0 && direction.is_finite(), "need a direction of sunlight, got {direction}");
+    /// The unit way that sunlight travels: what is wanted, or that of the first sun.
+    pub fn sun(&self, wanted: Option<Vec3>) -> anyhow::Result<Vec3> {
+        let of_world = || self.lights.iter().find(|light| light.kind == "sun")?.direction.map(Vec3::from);
+        let direction =
+            wanted.or_else(of_world).context("the world has no sun; give one with --sun X,Y,Z")?;
         Ok(direction.normalize())
     }
+}
+
+/// A direction of the command line, as `1,-2,0.5`.
+pub fn direction(text: &str) -> Result<Vec3, String> {
+    let numbers: Option<Vec<f32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let direction = match numbers.as_deref() {
+        Some([x, y, z]) => Vec3::new(*x, *y, *z),
+        _ => return Err("wanted three numbers, as 1,-2,0.5".to_owned()),
+    };
+    let is_way = direction.is_finite() && direction.length() > 0.0;
+    is_way.then_some(direction).ok_or_else(|| format!("wanted a direction of some length, got {text}"))
 }
