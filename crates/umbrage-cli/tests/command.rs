@@ -69,7 +69,7 @@ fn plan_json_tells_a_foreign_renderer_everything() {
         bindings.map(|binding| binding["name"].as_str().expect("a name").to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(names("caster"), ["umbrage_frame", "umbrage_current_view"]);
-    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_compare"]);
+    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_nearest"]);
     let frame = plan["frame"].as_str().expect("base64");
     assert!(frame.len() > 6 * 128 * 4 / 3 && frame.len().is_multiple_of(4), "{} letters", frame.len());
 }

@@ -21,7 +21,7 @@ use crate::light::{FACES, Light, LightKind};
 use crate::light_frustum::{LightFrustum, Limits, Pyramid};
 use crate::light_projection::LightProjection;
 use crate::reach::Reach;
-use crate::receivers::{Receivers, ViewInput};
+use crate::receivers::{Asked, Receivers, ViewInput};
 use crate::rectangle::Rectangle;
 use crate::settings::{MAX_LIGHTS, Select, Settings};
 use crate::split::{Splits, split_distances, spot_splits};
@@ -97,7 +97,9 @@ impl ShadowPlan {
         self.lights.clear();
         self.lights.extend_from_slice(lights);
         self.views.clear();
-        let frame = Frame { camera, bounds, settings, reach: reach(&settings.filter, &settings.bias) };
+        let reach = reach(&settings.filter, &settings.bias);
+        let shadowed = f64::from(depths.start)..f64::from(depths.end);
+        let frame = Frame { camera, bounds, settings, reach, shadowed };
         for (index, light) in lights.iter().enumerate() {
             self.add_light(&frame, index, light, depths.clone());
         }
@@ -212,13 +214,15 @@ struct Frame<'a> {
     bounds: &'a Bounds,
     settings: &'a Settings,
     reach: Reach,
+    /// The view depths that have shadows, metres.
+    shadowed: Range<f64>,
 }
 
 impl<'a> Frame<'a> {
     /// What one view is made from.
     fn input(&self, depths: Range<f64>, light_frustum: LightFrustum, resolution: u32) -> ViewInput<'a> {
-        let Self { camera, bounds, settings, reach } = *self;
-        let is_shared = settings.select == Select::Map && !light_frustum.is_face();
+        let Self { camera, bounds, settings, reach, .. } = *self;
+        let asked = self.asked(depths.start, &light_frustum, resolution);
         let flattens_casters = settings.flattens_casters();
         ViewInput {
             camera,
@@ -229,7 +233,20 @@ impl<'a> Frame<'a> {
             reach,
             flattens_casters,
             has_bulb: false,
-            is_shared,
+            asked,
+        }
+    }
+
+    /// Which receivers may look into a view whose slice starts at a view depth. Where a receiver asks the finest map that
+    /// covers it, all that lie nearer are covered by finer maps, unless these are not padded enough, or fade out.
+    fn asked(&self, slice_start: f64, light_frustum: &LightFrustum, resolution: u32) -> Asked {
+        let Self { settings, reach, shadowed, .. } = self;
+        match settings.select {
+            Select::Map if !light_frustum.is_face() => {
+                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution);
+                Asked::Covered(if nearer_are_held { slice_start } else { shadowed.start }..shadowed.end)
+            }
+            Select::Map | Select::Depth | Select::ClipDepth => Asked::OwnSlice,
         }
     }
 }

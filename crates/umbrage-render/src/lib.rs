@@ -39,6 +39,7 @@ mod exposure;
 mod frame;
 mod gpu;
 mod in_flight;
+mod keys;
 mod light;
 mod materials;
 mod metering;

@@ -6,6 +6,7 @@ use umbrage_core::{Aabb, Bounds, ShadowPlan, ShadowView, ViewKey};
 
 use super::Shadows;
 use crate::error::ShadowError;
+use crate::kept::Share;
 use crate::objects::Objects;
 use crate::still_maps::StillMaps;
 
@@ -55,6 +56,12 @@ impl Shadows {
         !self.steps.is_empty()
     }
 
+    /// Returns which of the casters of a view must be drawn for the plan that was uploaded last, by the view's place in the plan:
+    /// none where its tile shows them already.
+    pub fn due(&self, view: usize) -> impl Iterator<Item = Share> + '_ {
+        self.steps.iter().filter(move |step| step.view == view).filter_map(|step| step.share)
+    }
+
     /// Whether [`Self::keep_still`] would have saved drawing what stands in the plan that was uploaded last.
     pub fn would_keep_still(&self) -> bool {
         self.would_keep_still
@@ -85,7 +92,7 @@ fn name(view: &ShadowView) -> u64 {
 /// A number of the boxes whose casters a view may draw.
 fn boxes_within(view: &ShadowView, bounds: &Bounds) -> u64 {
     let mut state = DefaultHasher::new();
-    for aabb in bounds.objects.iter().filter(|aabb| view.casters.may_touch_box(aabb)) {
+    for aabb in bounds.objects().iter().filter(|aabb| view.casters.may_touch_box(aabb)) {
         [aabb.min, aabb.max].map(|corner| corner.to_array().map(f32::to_bits)).hash(&mut state);
     }
     state.finish()
