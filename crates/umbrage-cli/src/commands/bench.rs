@@ -11,7 +11,7 @@ use umbrage_lab::{Milliseconds, Shot};
 use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
-use self::batch::{Timed, Way};
+use self::batch::{Bench, Timed, Way};
 use crate::args::{BaselineArg, BenchArgs};
 use crate::failure::Outcome;
 use crate::{advice, output, progress, settings, world};
@@ -147,7 +147,7 @@ fn timed(
         let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
         let batch = batch.collect::<Outcome<Vec<_>>>()?;
         for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
-            timed.add(renderer, gpu, *way, &before, &batch)?;
+            timed.add(Bench { renderer, gpu, keeps: !args.redraw }, *way, &before, &batch)?;
         }
         bar.inc(batch.len() as u64);
         before = batch.into_iter().last().unwrap_or(before);
