@@ -12,7 +12,7 @@ use glam::Vec3;
 use umbrage_render::Exposure;
 
 pub use draw::{DemoArgs, RenderArgs, SheetArgs, ViewArgs};
-pub use measure::{BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
+pub use measure::{BaselineArg, BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
 pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WgslArgs, WorldsArgs, WorldsCommand};
 
 /// Real-time shadows for large worlds: draw them, plan them, compare them, time them.
@@ -38,6 +38,11 @@ pub enum Command {
     /// Measures how wrong shadows are, against exact ones, and what they cost
     Measure(MeasureArgs),
     /// Times frames along the world's path
+    ///
+    /// Frames are handed over as a window does, at most two in flight, without timestamps; a frame's time is the mean over
+    /// the run, and its spread that of batches of six. Stages are timed in a second drawing of the same frames,
+    /// each waited for: timestamps keep passes from overlapping, most of all on a software device, so that stages may add
+    /// up to more than a frame.
     Bench(BenchArgs),
     /// Opens a window on a world: its shadows, every setting while it runs, and how wrong each pixel is
     View(ViewArgs),

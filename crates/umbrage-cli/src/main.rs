@@ -8,6 +8,7 @@
 mod advice;
 mod args;
 mod binding_json;
+mod cameras_json;
 mod commands;
 mod contact_sheet;
 mod failure;

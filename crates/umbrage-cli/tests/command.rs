@@ -69,7 +69,7 @@ fn plan_json_tells_a_foreign_renderer_everything() {
         bindings.map(|binding| binding["name"].as_str().expect("a name").to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(names("caster"), ["umbrage_frame", "umbrage_current_view"]);
-    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_compare"]);
+    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_nearest"]);
     let frame = plan["frame"].as_str().expect("base64");
     assert!(frame.len() > 6 * 128 * 4 / 3 && frame.len().is_multiple_of(4), "{} letters", frame.len());
 }
@@ -111,6 +111,14 @@ fn settings_are_told_one_by_one_and_old_names_have_new_ones() {
     refused(&["settings", "filter.blur"], 2, "no setting `filter.blur`", None);
 }
 
+fn list(value: &Value) -> &[Value] {
+    value.as_array().expect("a list")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
 #[test]
 fn bench_json_has_the_keys_that_scripts_rely_on() {
     let args = [
@@ -119,7 +127,7 @@ fn bench_json_has_the_keys_that_scripts_rely_on() {
         "--json",
         "-",
         "--frames",
-        "3",
+        "8",
         "--warm-up",
         "1",
         "--size",
@@ -127,15 +135,35 @@ fn bench_json_has_the_keys_that_scripts_rely_on() {
         "--baselines",
     ];
     let bench = json(&args);
-    assert_eq!(bench["frames"], 3);
-    assert_eq!(bench["every_frame"].as_array().map(Vec::len), Some(3));
+    assert_eq!(bench["frames"], 8);
+    let frames: Vec<f64> = list(&bench["every_frame"]).iter().map(|times| number(&times[3])).collect();
+    assert_eq!(frames.len(), 8);
+    let mean = |frames: &[f64]| frames.iter().sum::<f64>() / frames.len() as f64;
+    let is_mean = |of: &Value, frames: &[f64]| (number(of) - mean(frames)).abs() < 1e-9;
+    assert!(is_mean(&bench["milliseconds"]["frame_mean"], &frames), "{bench}");
+    let batches = list(&bench["batches"]);
+    assert_eq!(batches.len(), 2, "six frames a batch");
+    assert!(is_mean(&batches[0], &frames[..6]) && is_mean(&batches[1], &frames[6..]), "{bench}");
     for of in [&bench["milliseconds"], &bench["baselines"]["no_shadows"], &bench["baselines"]["no_culling"]] {
+        assert!(number(&of["frame_mean"]) > 0.0, "{of}");
         for stage in ["plan", "deform", "casters", "shade", "frame"] {
             for key in ["median", "p5", "p95"] {
                 assert!(of[stage][key].as_f64().is_some(), "{stage}.{key} in {of}");
             }
         }
     }
+    let one = json(&[
+        "bench",
+        "primitives",
+        "--json",
+        "-",
+        "--frames",
+        "1",
+        "--size",
+        "64x36",
+        "--baselines=no-shadows",
+    ]);
+    assert!(one["baselines"]["no_shadows"].is_object() && one["baselines"]["no_culling"].is_null(), "{one}");
     for view in bench["views"].as_array().expect("views") {
         assert!(["split", "draws", "triangles"].iter().all(|key| view[key].is_u64()), "{view}");
     }
@@ -179,6 +207,37 @@ fn an_exported_world_renders_as_the_built_in_one() {
     }
     let open = |path: &Path| image::open(path).expect("a picture").into_rgba8();
     assert!(open(&a) == open(&b), "the pictures differ");
+}
+
+#[test]
+fn an_exported_world_tells_other_renderers_its_cameras_and_its_sun() {
+    let folder = folder();
+    let file = folder.path().join("a.glb");
+    let told = json(&["worlds", "export", "mining-terrain", text(&file), "--bake", "--cameras", "-"]);
+    assert_eq!(told["triangles"], 1_299_342);
+    let names: Vec<&str> =
+        list(&told["cameras"]).iter().filter_map(|camera| camera["name"].as_str()).collect();
+    assert!(names.contains(&"main") && names.contains(&"dueling"), "{names:?}");
+    // What is planned for is what is told, in the file's coordinates.
+    for camera in list(&told["cameras"]) {
+        let name = camera["name"].as_str().expect("a name");
+        let plan = json(&["plan", text(&file), "--camera", name, "--json", "-"]);
+        for (i, origin) in list(&plan["origin"]).iter().enumerate() {
+            let eye = number(&plan["camera"]["eye"][i]) + number(origin);
+            assert!((number(&camera["eye"][i]) - eye).abs() < 1e-3, "{name}: {camera}");
+            for way in ["forward", "near", "far"] {
+                let of =
+                    |camera: &Value| number(if way == "forward" { &camera[way][i] } else { &camera[way] });
+                assert!((of(camera) - of(&plan["camera"])).abs() < 1e-4, "{name}, {way}: {camera}");
+            }
+            let sun = number(&plan["lights"][0]["direction"][i]);
+            assert!((number(&told["lights"][0]["direction"][i]) - sun).abs() < 1e-5, "{told}");
+        }
+        assert!((number(&camera["fov_y_degrees"]) - 60.0).abs() < 1e-3, "{camera}");
+        let up = |i: usize| number(&camera["up"][i]) * number(&camera["forward"][i]);
+        assert!((up(0) + up(1) + up(2)).abs() < 1e-5, "across the view: {camera}");
+    }
+    assert_eq!(told["lights"][0]["kind"], "sun");
 }
 
 #[test]

@@ -1,15 +1,16 @@
 //! Which casters a view draws: the second thing that a fit decides, beside its region.
 
+use crate::convex::ConvexBody;
 use crate::cull::ConvexVolume;
 use crate::light_projection::LightProjection;
-use crate::receivers::ViewInput;
+use crate::receivers::{Asked, Receivers, ViewInput};
 use crate::region::Region;
 
 /// Which casters are drawn into a view, and whether some must be flattened onto its near plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CasterPolicy {
-    /// Those that can shadow the region's receivers, where that can be told: under a sun, without a warp, and where no
-    /// other slice's receivers look here. Else as [`Self::OverMap`].
+    /// Those that can shadow receivers that look here, where that can be told: under a sun, without a warp. Else as
+    /// [`Self::OverMap`].
     BeforeReceivers,
     /// All that the map can hold, however near to the light.
     OverMap,
@@ -26,7 +27,7 @@ impl CasterPolicy {
         projection: &LightProjection,
         texel_metres: f64,
     ) -> ConvexVolume {
-        let sees_nothing = region.receivers.is_empty() && !input.is_shared;
+        let sees_nothing = region.receivers.is_empty() && input.asked == Asked::OwnSlice;
         if sees_nothing || input.bounds.world().is_empty() {
             return ConvexVolume::empty();
         }
@@ -36,11 +37,19 @@ impl CasterPolicy {
         }
         let is_plain = projection.space.apex.is_none() && projection.homography.is_rotation();
         match self {
-            Self::BeforeReceivers if is_plain && !input.is_shared => {
+            Self::BeforeReceivers if is_plain => {
                 // Beside a receiver, whatever lies before its plane may shadow it, however deep that is there.
                 let [around, behind] = [input.reach.lookup_texels, input.reach.plane_depth_texels]
                     .map(|texels| texels * texel_metres);
-                ConvexVolume::swept_to_light(region.receivers, &projection.space, around, behind)
+                let swept =
+                    |body: &ConvexBody| ConvexVolume::swept_to_light(body, &projection.space, around, behind);
+                match &input.asked {
+                    Asked::OwnSlice => swept(region.receivers),
+                    Asked::Covered(depths) => {
+                        let deepest = input.reach.toward_light_metres(texel_metres);
+                        swept(&Receivers::covered(input, depths, projection.rows(), around, deepest))
+                    }
+                }
             }
             Self::BeforeReceivers | Self::OverMap | Self::WholeWorld => {
                 ConvexVolume::over_map(projection.rows())

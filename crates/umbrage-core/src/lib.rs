@@ -52,6 +52,7 @@ mod stabilise;
 mod texel_basis;
 mod tree;
 mod view;
+mod view_key;
 mod warp;
 
 pub use aliasing::{
@@ -82,5 +83,6 @@ pub use settings::{
 pub use space::Rays;
 pub use split::{Splits, split_distances};
 pub use texel_basis::TexelBasis;
-pub use view::{ShadowView, ViewKey};
+pub use view::ShadowView;
+pub use view_key::ViewKey;
 pub use warp::Warp;

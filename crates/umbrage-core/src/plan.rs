@@ -21,11 +21,12 @@ use crate::light::{FACES, Light, LightKind};
 use crate::light_frustum::{LightFrustum, Limits, Pyramid};
 use crate::light_projection::LightProjection;
 use crate::reach::Reach;
-use crate::receivers::{Receivers, ViewInput};
+use crate::receivers::{Asked, Receivers, ViewInput};
 use crate::rectangle::Rectangle;
 use crate::settings::{MAX_LIGHTS, Select, Settings};
 use crate::split::{Splits, split_distances, spot_splits};
 use crate::view::ShadowView;
+use crate::view_key::ViewKey;
 use crate::warp::Warp;
 
 /// The shadow views of one frame, and what a receiver needs to find its own.
@@ -96,7 +97,9 @@ impl ShadowPlan {
         self.lights.clear();
         self.lights.extend_from_slice(lights);
         self.views.clear();
-        let frame = Frame { camera, bounds, settings, reach: reach(&settings.filter, &settings.bias) };
+        let reach = reach(&settings.filter, &settings.bias);
+        let shadowed = f64::from(depths.start)..f64::from(depths.end);
+        let frame = Frame { camera, bounds, settings, reach, shadowed };
         for (index, light) in lights.iter().enumerate() {
             self.add_light(&frame, index, light, depths.clone());
         }
@@ -191,6 +194,14 @@ impl ShadowPlan {
         &self.splits
     }
 
+    /// Says what a view shows, by the view's place in the plan; nothing where there is no such view. It holds until the plan is
+    /// made anew.
+    pub fn set_key(&mut self, view: usize, key: Option<ViewKey>) {
+        if let Some(view) = self.views.get_mut(view) {
+            view.key = key;
+        }
+    }
+
     /// The views, light by light, and in a light split by split or face by face.
     pub fn views(&self) -> &[ShadowView] {
         &self.views
@@ -203,13 +214,15 @@ struct Frame<'a> {
     bounds: &'a Bounds,
     settings: &'a Settings,
     reach: Reach,
+    /// The view depths that have shadows, metres.
+    shadowed: Range<f64>,
 }
 
 impl<'a> Frame<'a> {
     /// What one view is made from.
     fn input(&self, depths: Range<f64>, light_frustum: LightFrustum, resolution: u32) -> ViewInput<'a> {
-        let Self { camera, bounds, settings, reach } = *self;
-        let is_shared = settings.select == Select::Map && !light_frustum.is_face();
+        let Self { camera, bounds, settings, reach, .. } = *self;
+        let asked = self.asked(depths.start, &light_frustum, resolution);
         let flattens_casters = settings.flattens_casters();
         ViewInput {
             camera,
@@ -220,7 +233,20 @@ impl<'a> Frame<'a> {
             reach,
             flattens_casters,
             has_bulb: false,
-            is_shared,
+            asked,
+        }
+    }
+
+    /// Which receivers may look into a view whose slice starts at a view depth. Where a receiver asks the finest map that
+    /// covers it, all that lie nearer are covered by finer maps, unless these are not padded enough, or fade out.
+    fn asked(&self, slice_start: f64, light_frustum: &LightFrustum, resolution: u32) -> Asked {
+        let Self { settings, reach, shadowed, .. } = self;
+        match settings.select {
+            Select::Map if !light_frustum.is_face() => {
+                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution);
+                Asked::Covered(if nearer_are_held { slice_start } else { shadowed.start }..shadowed.end)
+            }
+            Select::Map | Select::Depth | Select::ClipDepth => Asked::OwnSlice,
         }
     }
 }

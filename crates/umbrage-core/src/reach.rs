@@ -28,8 +28,18 @@ impl Reach {
     /// a texel on every side, which are at most a quarter of it.
     pub fn padding(&self, resolution: u32) -> f64 {
         let texels = f64::from(resolution);
-        let pad = (self.lookup_texels + 1.0).min(texels / 4.0);
+        let pad = self.pad_texels().min(texels / 4.0);
         texels / (texels - 2.0 * pad)
+    }
+
+    /// Whether a map of `resolution` texels a side is padded by all of the lookups' reach: then it holds the footprints of
+    /// all of its slice's receivers.
+    pub fn is_held_by(&self, resolution: u32) -> bool {
+        self.pad_texels() <= f64::from(resolution) / 4.0
+    }
+
+    fn pad_texels(&self) -> f64 {
+        self.lookup_texels + 1.0
     }
 
     /// How far toward the light what is compared may lie from its receiver, at most, in metres.

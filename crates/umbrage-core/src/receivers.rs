@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use glam::DVec4;
+
 use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::convex::ConvexBody;
@@ -22,8 +24,18 @@ pub(crate) struct ViewInput<'a> {
     pub flattens_casters: bool,
     /// Whether nothing near the light casts: the map begins where its bulb ends.
     pub has_bulb: bool,
-    /// Whether receivers of other slices look here too, wherever the map covers them.
-    pub is_shared: bool,
+    /// The view depths of all receivers that may look here, metres. They are more than the slice's where a receiver asks the
+    /// finest map that covers it, whatever its slice.
+    pub asked: Asked,
+}
+
+/// Which receivers may look into a view.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Asked {
+    /// Those of its own slice.
+    OwnSlice,
+    /// Those between these view depths, metres, wherever the map covers them.
+    Covered(Range<f64>),
 }
 
 impl ViewInput<'_> {
@@ -58,5 +70,23 @@ impl Receivers {
         let body =
             if world.is_empty() { ConvexBody::default() } else { lit_slice.clone().clipped_by_box(&world) };
         Self { lit_slice, body }
+    }
+
+    /// A body around those at some view depths, all that `rows` of a map's clip matrix, `around` metres beside them and
+    /// `behind` metres behind them may serve.
+    pub fn covered(
+        input: &ViewInput<'_>,
+        depths: &Range<f64>,
+        [x, y, z, w]: [DVec4; 4],
+        around: f64,
+        behind: f64,
+    ) -> ConvexBody {
+        let seen = ConvexBody::of_slice(&input.camera.slice_corners(depths.clone()));
+        let in_world = seen.clipped_by_box(&input.bounds.world());
+        let sides = [(w + x, around), (w - x, around), (w + y, around), (w - y, around), (z, behind)];
+        sides.into_iter().fold(in_world, |body, (row, beyond)| {
+            let length = row.truncate().length();
+            body.clipped(row.truncate() / length, row.w / length + beyond)
+        })
     }
 }

@@ -9,14 +9,15 @@ use crate::cull::ConvexVolume;
 use crate::finite::{finite_matrix, finite_vector};
 use crate::settings::DepthFormat;
 use crate::space::Rays;
+use crate::view_key::ViewKey;
 
 /// One shadow map, or one tile of an atlas. Everything after planning only ever sees these.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShadowView {
     /// The view's place in the plan, and in the GPU's list of views.
     pub index: usize,
-    /// What the view shows. Two views with equal keys show the same casters through the same matrix, so the one may be
-    /// read where the other was drawn; `None` says that what it shows is new in each frame. Plans say `None`.
+    /// The name of what the view shows: a tile that shows it already is not drawn again. `None` says that it is new in each
+    /// frame, as plans do until [`ShadowPlan::set_key`](crate::ShadowPlan::set_key) is called.
     pub key: Option<ViewKey>,
     /// The matrix from world space to the clip space of this view alone: x and y in −1…1 over the tile, and reversed depth:
     /// 1 near the light, 0 far from it. It is in f64; [`Self::clip_from_local`] is what f32 can hold of it.
@@ -47,12 +48,6 @@ pub struct ShadowView {
     /// Whether casters before the near plane must be flattened onto it.
     pub unclipped_depth: bool,
 }
-
-/// Says what a view shows: two views with equal keys show the same casters through the same matrix.
-///
-/// Who makes keys answers for that: a key changes with the matrix, the casters, and everything that moves among them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct ViewKey(pub u64);
 
 impl ShadowView {
     /// Returns where the view's local space begins, relative to `origin`: at the apex of a punctual light, and at `origin`

@@ -14,7 +14,7 @@ mod steady;
 use glam::Vec3;
 use proptest::prelude::*;
 use umbrage_core::{
-    Aabb, Bounds, Camera, Fit, Light, PlanError, Projection, Select, Settings, Storage, plan,
+    Aabb, Bounds, Camera, Fit, Light, PlanError, Projection, Select, Settings, Storage, plan, view_of,
 };
 
 use any::{camera, direction, fit_and_warp, point_in, seen, share, world};
@@ -48,6 +48,31 @@ proptest! {
             if lies_in_world {
                 prop_assert!(view.covers(caster.as_dvec3(), 1e-5), "a caster at {caster} is outside {view:?}");
             }
+        }
+    }
+
+    #[test]
+    fn casters_are_drawn_into_the_map_that_their_receiver_asks(
+        camera in camera(), light in direction(), (fit, warp) in fit_and_warp(), splits in 1u32..=9,
+        blend in prop_oneof![Just(0.0f32), 0.0f32..0.5], size in prop_oneof![Just(16u32), Just(1024)],
+        shares in proptest::collection::vec((0usize..40, share(), direction(), 0.0f32..80.0), 40),
+    ) {
+        let bounds = world();
+        let settings = Settings {
+            fit, warp, splits, blend, resolution: size, select: Select::Map, ..Settings::default()
+        };
+        let direction = light.normalize_or_zero();
+        let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
+        for (object, share, normal, toward_light) in shares {
+            let receiver = point_in(&bounds.objects()[object], share);
+            let normal = if normal.dot(direction) > 0.0 { -normal } else { normal };
+            if !seen(&camera, receiver).1 {
+                continue;
+            }
+            let Some(view) = view_of(&plan, &settings, 0, receiver, normal) else { continue };
+            let caster = receiver - direction * toward_light;
+            let is_in_map = view.clip_from_world.project_point3(caster.as_dvec3()).truncate().abs().max_element() <= 1.0;
+            prop_assert!(!is_in_map || view.casters.contains(caster), "{caster} of {receiver} is left out of {view:?}");
         }
     }
 
@@ -182,7 +207,7 @@ fn what_cannot_be_planned_is_refused_by_name() {
 }
 
 #[test]
-fn a_map_of_an_empty_slice_still_holds_the_casters_of_what_it_covers() {
+fn a_map_of_an_empty_slice_still_holds_the_casters_of_what_is_seen_in_it() {
     // From 200 m above, the first slice is in the air, but its map reaches the ground beyond: selection by map reads it.
     let projection = Projection::Perspective { fov_y: 1.05, aspect: 16.0 / 9.0 };
     let eye = Vec3::new(0.0, 220.0, 0.0);
@@ -197,7 +222,7 @@ fn a_map_of_an_empty_slice_still_holds_the_casters_of_what_it_covers() {
         for i in 0..100 {
             let ground = Vec3::new((i % 10 - 5) as f32 * 40.0, 0.0, -(i / 10) as f32 * 40.0);
             let caster = ground + Vec3::Y * 20.0;
-            if first.covers(ground.as_dvec3(), 0.0) {
+            if seen(&camera, ground).1 && first.covers(ground.as_dvec3(), 0.0) {
                 assert!(
                     first.casters.contains(caster),
                     "{fit:?}: {caster} is left out of a map that covers {ground}"

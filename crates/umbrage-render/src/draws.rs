@@ -17,6 +17,9 @@ use crate::cover::Cover;
 use crate::posed::Posed;
 use parts::{PartRow, Slot};
 
+/// What no pose has moved for so many moves of other things stands.
+const STANDS_AFTER: u64 = 60;
+
 /// Every (part, instance) of a scene with its world box, ordered by cover, mesh, mirroring, casting, part and instance.
 #[derive(Clone, Debug)]
 pub struct PartTable {
@@ -142,18 +145,29 @@ impl PartTable {
         self.bounds
     }
 
-    /// Appends the draws of everything that casts shadows and may touch `volume`, or of all that casts where that is `None`.
-    /// Solid parts join whatever their materials are, since only their depth is drawn.
+    /// Says whether a pose moved, bent or hid an instance lately: it may well go on.
+    pub fn moves(&self, instance: u32) -> bool {
+        let epoch = self.epoch(instance);
+        epoch > 0 && self.moves - epoch < STANDS_AFTER
+    }
+
+    /// Appends two lists of draws of everything that casts shadows and may touch `volume`, or of all that casts where that is
+    /// `None`: first of what stands, then of what [moves](Self::moves). Solid parts join whatever their materials are, since
+    /// only their depth is drawn.
     pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
         let joins =
             |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
-        self.add(lists, volume.unwrap_or(&ConvexVolume::default()), |part| part.casts, joins);
+        let everything = ConvexVolume::default();
+        let volume = volume.unwrap_or(&everything);
+        for moving in [false, true] {
+            self.add(lists, volume, |part, instance| part.casts && self.moves(instance) == moving, joins);
+        }
     }
 
     /// Appends the draws of everything but veils that may touch `volume`, each with one material.
     pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume) {
         let joins = |last: &Draw, part: &PartRow| last.material == part.material;
-        self.add(lists, volume, |part| part.cover != Cover::Veil, joins);
+        self.add(lists, volume, |part, _| part.cover != Cover::Veil, joins);
     }
 
     /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
@@ -203,7 +217,7 @@ impl PartTable {
         &self,
         lists: &mut DrawLists,
         volume: &ConvexVolume,
-        is_wanted: impl Fn(&PartRow) -> bool,
+        is_wanted: impl Fn(&PartRow, u32) -> bool,
         may_join: impl Fn(&Draw, &PartRow) -> bool,
     ) {
         let DrawLists { instances, draws, ends, touched } = lists;
@@ -214,7 +228,7 @@ impl PartTable {
         touched.drain(|number| {
             let Slot { part, instance } = self.slots[number as usize];
             let row = &self.parts[part as usize];
-            if !is_wanted(row) {
+            if !is_wanted(row, instance) {
                 return;
             }
             if open != Some(part) {

@@ -20,6 +20,7 @@ use crate::error::RenderError;
 use crate::exposure::Exposure;
 use crate::frame::{Frame, Show};
 use crate::gpu::Gpu;
+use crate::keys;
 use crate::passes::casters::{Casters, Surface};
 use crate::passes::map_picture::MapPicture;
 use crate::passes::query::QueryPass;
@@ -49,6 +50,11 @@ pub struct Renderer {
     timer: PassTimer,
     /// Whether parts that no view needs are left out, which they are unless this is off: to measure what it saves.
     pub cull_parts: bool,
+    /// Whether views are not drawn again whose tiles show what they are to show, which they are not unless this is off: to
+    /// measure what it saves.
+    pub keep_tiles: bool,
+    /// Whether there was no room for maps of what stands.
+    has_no_room_for_still: bool,
 }
 
 impl Renderer {
@@ -93,6 +99,8 @@ impl Renderer {
             lights: Vec::new(),
             timer: PassTimer::new(gpu)?,
             cull_parts: true,
+            keep_tiles: true,
+            has_no_room_for_still: false,
         })
     }
 
@@ -118,6 +126,7 @@ impl Renderer {
             self.query = None;
         }
         self.shadows = shadows;
+        self.has_no_room_for_still = false;
         self.maps = MapsId::new();
     }
 
@@ -144,7 +153,7 @@ impl Renderer {
         let target = self.make_ready(frame)?;
         let start = Instant::now();
         let planned = self.cast(frame)?;
-        if !self.gpu.adapter.timestamps {
+        if !self.timer.is_running() {
             // Without timestamps the stages are timed one after the other.
             self.gpu.wait()?;
         }
@@ -183,6 +192,12 @@ impl Renderer {
         self.timer.take(&self.gpu)
     }
 
+    /// Times the passes of frames from now on, or no more. They are timed unless this turns it off: a device may not let
+    /// passes overlap between which it takes the time, so that frames are longer then.
+    pub fn set_pass_times(&mut self, on: bool) {
+        self.timer.switch(on);
+    }
+
     /// Maps, pipelines and textures that fit the frame.
     fn make_ready(&mut self, frame: &Frame) -> Result<Arc<Target>, RenderError> {
         self.lights.clear();
@@ -217,18 +232,36 @@ impl Renderer {
         let planned = self.plan(frame)?;
         self.maps = planned.maps;
         self.draw_casters(&planned)?;
+        self.keep_still();
         Ok(planned)
+    }
+
+    /// Makes maps of what stands where they will save drawing it. Where the device has no room for them, all is drawn.
+    fn keep_still(&mut self) {
+        if self.shadows.would_keep_still() && !self.has_no_room_for_still {
+            let Self { gpu, shadows, .. } = self;
+            let mut with_still = shadows.clone();
+            let made = gpu.allocate("the maps of what stands", || {
+                with_still.keep_still(&gpu.device);
+                Ok::<_, ShadowError>(())
+            });
+            match made {
+                Ok(()) => *shadows = with_still,
+                Err(_) => self.has_no_room_for_still = true,
+            }
+        }
     }
 
     /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
     fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
-        let Self { gpu, scene, parts, shadows, lights, timer, .. } = self;
+        let (cull_parts, keep_tiles) = (self.cull_parts, self.keep_tiles);
+        let Self { gpu, scene, parts, shadows, lights, timer, plans, .. } = self;
         let origin = frame.camera.local_origin();
         scene.move_to(gpu, timer, origin, &frame.pose);
         parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
-        let make = || {
+        let make = |shadows: &mut Shadows| {
             Ok(Planned {
                 plan: shadows.plan(planned_for, lights, parts.bounds())?,
                 camera: frame.camera,
@@ -246,8 +279,7 @@ impl Renderer {
                 maps: MapsId::new(),
             })
         };
-        let cull_parts = self.cull_parts;
-        let fill = |planned: &mut Planned| {
+        let fill = |shadows: &mut Shadows, planned: &mut Planned| {
             shadows.replan(&mut planned.plan, planned_for, lights, parts.bounds())?;
             (planned.camera, planned.origin) = (frame.camera, origin);
             planned.lights.clone_from(&frame.lights);
@@ -255,34 +287,41 @@ impl Renderer {
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
             list(planned, parts, cull_parts);
+            if keep_tiles {
+                keys::name(&mut planned.plan, origin, &planned.lists, parts);
+            }
             planned.numbers.write(gpu, bytemuck::cast_slice(planned.lists.instances()))?;
             planned.maps = MapsId::new();
+            shadows.set_picture_size(frame.width, frame.height);
+            shadows.set_origin(origin);
+            shadows.upload(&gpu.queue, &planned.plan)?;
+            load(planned, shadows);
             planned.milliseconds = start.elapsed().as_secs_f64() * 1e3;
             Ok(())
         };
-        let planned = self.plans.filled(make, fill)?;
-        self.shadows.set_picture_size(frame.width, frame.height);
-        self.shadows.set_origin(origin);
-        self.shadows.upload(&self.gpu.queue, &planned.plan)?;
-        Ok(planned)
+        plans.filled(shadows, make, fill)
     }
 
     fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {
         let Self { gpu, scene, shadows, casters, timer, .. } = self;
-        let Planned { plan, lists, numbers, .. } = planned;
+        let Planned { plan, numbers, .. } = planned;
+        // A timer whose passes never begin would wait for them.
+        if !shadows.has_due_views() {
+            return Ok(());
+        }
         let mut encoder = gpu.encoder("Renderer::casters");
         let draw = |mut casting: Casting<'_>, surface: Surface| {
-            while let Some((pass, view)) = casting.next_view() {
-                casters.record(pass, view, surface, scene, &numbers.buffer, lists.view(view.index));
+            while let Some((pass, view, share)) = casting.next_share() {
+                let draws = planned.casters(view.index, share);
+                casters.record(pass, view, surface, scene, &numbers.buffer, draws);
             }
         };
-        // A timer whose passes never begin would wait for them.
-        if !plan.views().is_empty() {
+        {
             timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
                 shadows.cast_timed(encoder, plan, timestamps).map(|casting| draw(casting, Surface::First))
             })?;
         }
-        if casters.has_second() && !plan.views().is_empty() {
+        if casters.has_second() {
             timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
                 let casting = shadows.cast_second(encoder, plan, timestamps)?;
                 casting.map_or(Ok(()), |casting| {
@@ -321,18 +360,27 @@ impl Renderer {
     }
 }
 
-/// Lists what is drawn into each of a plan's views, what the camera sees, and the veils before that.
+/// Lists what belongs to each of a plan's views, what the camera sees, and the veils before that.
 fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
-    let Planned { plan, camera, lists, loads, .. } = planned;
+    let Planned { plan, camera, lists, .. } = planned;
     lists.clear();
-    loads.clear();
-    for (i, view) in plan.views().iter().enumerate() {
+    for view in plan.views() {
         parts.add_casters(lists, cull_parts.then_some(&view.casters));
-        let draws = lists.view(i);
-        let triangles = draws.iter().map(Draw::triangles).sum();
-        loads.push(ViewLoad { light: view.light, split: view.split, draws: draws.len(), triangles });
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
     parts.add_seen(lists, &seen);
     parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
+}
+
+/// Counts what must be drawn into each of a plan's views.
+fn load(planned: &mut Planned, shadows: &Shadows) {
+    planned.loads.clear();
+    for (i, view) in planned.plan.views().iter().enumerate() {
+        let mut load = ViewLoad { light: view.light, split: view.split, draws: 0, triangles: 0 };
+        for draws in shadows.due(i).flat_map(|share| planned.casters(i, share)) {
+            load.draws += draws.len();
+            load.triangles += draws.iter().map(Draw::triangles).sum::<u64>();
+        }
+        planned.loads.push(load);
+    }
 }

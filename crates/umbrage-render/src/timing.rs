@@ -36,7 +36,7 @@ impl std::ops::AddAssign for FrameTimes {
     }
 }
 
-/// Says what was drawn into one shadow view.
+/// Says what was drawn into one shadow view: nothing where its tile showed that already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ViewLoad {
     /// The light whose view it is, counted from 0.
@@ -58,6 +58,8 @@ pub(crate) const SHADE: &str = "shade";
 /// Times passes by timestamps, where the device has them.
 pub(crate) struct PassTimer {
     profiler: Option<GpuProfiler>,
+    /// Whether it does so; otherwise passes run as if the device had no timestamps.
+    on: bool,
 }
 
 impl std::fmt::Debug for PassTimer {
@@ -71,7 +73,22 @@ impl PassTimer {
         let has_timestamps = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         let settings = GpuProfilerSettings::default();
         let profiler = has_timestamps.then(|| GpuProfiler::new(&gpu.device, settings)).transpose();
-        Ok(Self { profiler: profiler.map_err(|e| RenderError::Device(e.to_string()))? })
+        Ok(Self { profiler: profiler.map_err(|e| RenderError::Device(e.to_string()))?, on: true })
+    }
+
+    /// Times passes from the next frame on, or no more.
+    pub fn switch(&mut self, on: bool) {
+        self.on = on;
+    }
+
+    /// Whether passes are timed.
+    pub fn is_running(&self) -> bool {
+        self.running().is_some()
+    }
+
+    /// What times passes now.
+    fn running(&self) -> Option<&GpuProfiler> {
+        self.profiler.as_ref().filter(|_| self.on)
     }
 
     /// Runs `record` with the timestamps of a pass labelled `label`, if there are any.
@@ -81,7 +98,7 @@ impl PassTimer {
         encoder: &mut wgpu::CommandEncoder,
         record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::RenderPassTimestampWrites<'_>>) -> R,
     ) -> R {
-        match &self.profiler {
+        match self.running() {
             None => record(encoder, None),
             Some(profiler) => {
                 let query = profiler.begin_pass_query(label, encoder);
@@ -99,7 +116,7 @@ impl PassTimer {
         encoder: &mut wgpu::CommandEncoder,
         record: impl FnOnce(&mut wgpu::CommandEncoder, Option<wgpu::ComputePassTimestampWrites<'_>>) -> R,
     ) -> R {
-        match &self.profiler {
+        match self.running() {
             None => record(encoder, None),
             Some(profiler) => {
                 let query = profiler.begin_pass_query(label, encoder);
@@ -112,21 +129,22 @@ impl PassTimer {
 
     /// Ends a frame's queries: call it last, before the encoder is handed over.
     pub fn resolve(&mut self, encoder: &mut wgpu::CommandEncoder) {
-        if let Some(profiler) = &mut self.profiler {
+        if let Some(profiler) = self.profiler.as_mut().filter(|_| self.on) {
             profiler.resolve_queries(encoder);
         }
     }
 
     /// The frame was handed over.
     pub fn end_frame(&mut self) -> Result<(), RenderError> {
-        let Some(profiler) = &mut self.profiler else { return Ok(()) };
+        let Some(profiler) = self.profiler.as_mut().filter(|_| self.on) else { return Ok(()) };
         profiler.end_frame().map_err(|e| RenderError::Device(e.to_string()))
     }
 
     /// Milliseconds of all passes labelled `DEFORM`, `CASTERS`, `FILTER` and `SHADE`, of each together, of the oldest frame that is done and was not taken yet. `None` where there is none, or the device has no timestamps.
     pub fn take(&mut self, gpu: &Gpu) -> Option<[f64; 4]> {
         let period = gpu.queue.get_timestamp_period();
-        let results = self.profiler.as_mut()?.process_finished_frame(period)?;
+        let profiler = self.profiler.as_mut().filter(|_| self.on)?;
+        let results = profiler.process_finished_frame(period)?;
         let total = |label: &str| -> f64 {
             let spans = results.iter().filter(|result| result.label == label);
             // A sum of nothing is -0.

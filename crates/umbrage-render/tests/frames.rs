@@ -8,7 +8,7 @@ use std::sync::Arc;
 use common::{from_above, gpu, plate};
 use glam::Vec3;
 use umbrage_render::umbrage::{Contact, Filter, Settings};
-use umbrage_render::{Frame, Made, Mark, Renderer, Show};
+use umbrage_render::{Frame, InFlight, Made, Mark, Renderer, Show};
 use umbrage_scene::{Light, worlds};
 
 /// A picture of a built-in world's first camera at a time.
@@ -125,4 +125,37 @@ fn settings_that_change_no_shader_remake_none_of_those_that_shade() {
         lambda < first && lambda < filter,
         "{first} at first, {lambda} for lambda, {filter} for a filter"
     );
+}
+
+#[test]
+fn no_more_frames_are_in_flight_than_a_window_has() {
+    let (gpu, scene) = (gpu(), plate());
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let frame = from_above(&Light::sun(Vec3::new(0.3, -1.0, 0.0), 1.0), Show::World);
+    let mut in_flight = InFlight::new(&gpu, 2);
+    for _ in 0..4 {
+        drop(renderer.draw(&frame).expect("a frame"));
+        in_flight.handed_over().expect("a device");
+        assert_eq!(in_flight.count(), 1, "there is room for the next");
+    }
+    in_flight.finish().expect("a device");
+    assert_eq!(in_flight.count(), 0);
+}
+
+#[test]
+fn passes_are_timed_unless_that_is_turned_off() {
+    let (gpu, scene) = (gpu(), plate());
+    assert!(gpu.adapter.timestamps, "lavapipe has them");
+    let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let frame = from_above(&Light::sun(Vec3::new(0.3, -1.0, 0.0), 1.0), Show::World);
+    let mut times = |on: bool| {
+        renderer.set_pass_times(on);
+        drop(renderer.draw(&frame).expect("a frame"));
+        gpu.wait().expect("a device");
+        renderer.pass_times()
+    };
+    assert!(times(true).is_some_and(|[_, casters, _, shade]| casters > 0.0 && shade > 0.0));
+    assert_eq!(times(false), None);
+    assert!(times(true).is_some(), "again");
+    assert_eq!(times(false), None, "nothing is left over");
 }

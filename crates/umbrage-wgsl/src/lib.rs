@@ -45,7 +45,7 @@ pub use levels::lattice_level;
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
     caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings, map, peel, peel_bindings,
-    receiver, receiver_bindings, receiver_with, second_caster,
+    receiver, receiver_bindings, receiver_with, restore, restore_bindings, second_caster,
 };
 
 #[cfg(test)]

@@ -65,6 +65,16 @@ pub enum ShadowError {
         /// The same as the plan has it.
         got: String,
     },
+    /// A tile would be kept although casters within it have moved.
+    #[error(
+        "casters of split {split} of light {light} have moved, and nothing said so: call Shadows::changed with their boxes before and after, or give the view a key of your own"
+    )]
+    Stale {
+        /// The light, counted from 0.
+        light: usize,
+        /// The split or face, counted from 0.
+        split: usize,
+    },
     /// A view does not belong to these maps: its plan was made for others.
     #[error(
         "view {index} with a tile of {} texels at {}, {} in layer {} does not belong to these shadows, which have {max} views in maps of {} x {} texels in {} layers; upload and draw a plan that they made themselves",

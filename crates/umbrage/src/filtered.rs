@@ -1,6 +1,6 @@
 //! What lookups read instead of depths, where the filter stores something else: moments or sums of them.
 
-use umbrage_core::{Filter, ShadowPlan, Stored};
+use umbrage_core::{Filter, ShadowView, Stored};
 use umbrage_wgsl::ShaderKey;
 
 use crate::filtered_textures::{Source, Textures};
@@ -33,11 +33,15 @@ impl Filtered {
         }
     }
 
-    /// Makes what lookups read of a plan's views.
-    pub fn record(&self, pass: &mut wgpu::ComputePass<'_>, plan: &ShadowPlan) {
+    /// Makes what lookups read of these views.
+    pub fn record<'v>(
+        &self,
+        pass: &mut wgpu::ComputePass<'_>,
+        views: impl Iterator<Item = &'v ShadowView> + Clone,
+    ) {
         match self {
-            Self::Moments(moments) => moments.record(pass, plan),
-            Self::Sums(sums) => sums.record(pass, plan),
+            Self::Moments(moments) => moments.record(pass, views),
+            Self::Sums(sums) => sums.record(pass, views),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! triangle over every tile writes what is stored. Sources: Wang & Molnar 1994 (second depth), Woo 1992 (midpoint), Weiskopf
 //! & Ertl 2003 (dual), Everitt 2001 (peeling).
 
-use umbrage_core::{DepthLayer, ShadowPlan};
+use umbrage_core::{DepthLayer, ShadowView};
 use umbrage_wgsl::{join, join_bindings, peel_bindings};
 
 use crate::bindings;
@@ -64,9 +64,14 @@ impl Layers {
         self.depth_layer == depth_layer
     }
 
-    /// Writes what is stored of a plan's views.
-    pub fn join(&self, encoder: &mut wgpu::CommandEncoder, maps: &Maps, plan: &ShadowPlan) {
-        for view in plan.views() {
+    /// Writes what is stored of these views.
+    pub fn join<'v>(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        maps: &Maps,
+        views: impl Iterator<Item = &'v ShadowView>,
+    ) {
+        for view in views {
             let mut pass = maps.overwrite(encoder, view);
             pass.set_pipeline(&self.join);
             pass.set_bind_group(0, &self.join_group, &[offset(view)]);

@@ -38,6 +38,7 @@ mod error;
 mod filtered;
 mod filtered_textures;
 mod frame;
+mod kept;
 mod layers;
 mod maps;
 mod objects;
@@ -45,6 +46,7 @@ mod parts;
 mod prefilter;
 mod receivers;
 mod shadows;
+mod still_maps;
 mod sums;
 mod supported;
 
@@ -55,6 +57,7 @@ pub use casting::Casting;
 pub use changed::Changed;
 pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
+pub use kept::Share;
 pub use shadows::Shadows;
 pub use umbrage_core::{
     Aabb, Allocation, Bias, BiasMetres, Bounds, Camera, CameraError, CasterFaces, CasterKey, Change,

@@ -127,7 +127,7 @@ impl Maps {
         view: &ShadowView,
     ) -> wgpu::RenderPass<'e> {
         let mut pass = self.open(encoder, view.tile, None);
-        go_to(&mut pass, view.tile);
+        self.go_to(&mut pass, view.tile);
         pass
     }
 
@@ -155,11 +155,18 @@ impl Maps {
 
     /// Goes on to a tile of the pass's layer, and empties it where the pass could not.
     pub fn enter(&self, pass: &mut wgpu::RenderPass<'_>, tile: Tile) {
-        go_to(pass, tile);
+        self.go_to(pass, tile);
         if let Some(clear) = self.clear.as_ref().filter(|_| !self.is_whole_layer(tile)) {
             pass.set_pipeline(clear);
             pass.draw(0..3, 0..1);
         }
+    }
+
+    /// Draws into a tile of the pass's layer alone from now on.
+    pub fn go_to(&self, pass: &mut wgpu::RenderPass<'_>, tile: Tile) {
+        let Tile { layer: _, x, y, size } = tile;
+        pass.set_viewport(x as f32, y as f32, size as f32, size as f32, 0.0, 1.0);
+        pass.set_scissor_rect(x, y, size, size);
     }
 
     /// Copies all texels to the CPU, and waits for them.
@@ -222,11 +229,4 @@ impl Maps {
 
 fn failed(error: impl std::error::Error + Send + Sync + 'static) -> ShadowError {
     ShadowError::ReadBack(DeviceError::new(error))
-}
-
-/// Draws into a tile alone from now on.
-fn go_to(pass: &mut wgpu::RenderPass<'_>, tile: Tile) {
-    let Tile { layer: _, x, y, size } = tile;
-    pass.set_viewport(x as f32, y as f32, size as f32, size as f32, 0.0, 1.0);
-    pass.set_scissor_rect(x, y, size, size);
 }

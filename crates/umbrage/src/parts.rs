@@ -1,5 +1,7 @@
 //! The GPU objects behind shadows, and which of them other settings or lights need anew.
 
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
 use umbrage_core::{Allocation, Settings};
 use umbrage_wgsl::{ShaderKey, caster_bindings, receiver_bindings};
 
@@ -8,10 +10,12 @@ use crate::capabilities::Capabilities;
 use crate::filtered::Filtered;
 use crate::filtered_textures::Source;
 use crate::frame::FrameBuffers;
+use crate::kept::Kept;
 use crate::layers::Layers;
 use crate::maps::{Maps, clear_pipeline};
 use crate::objects::Objects;
 use crate::receivers::{ReceiverLayout, Samplers, SamplersKind};
+use crate::still_maps::StillMaps;
 
 /// What the objects are to serve.
 #[derive(Clone, Copy)]
@@ -22,6 +26,21 @@ pub(crate) struct Wanted<'a> {
     pub capabilities: Capabilities,
 }
 
+/// What the tiles of some maps show, known to all copies of the shadows that draw into them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SharedTiles(Arc<Mutex<Kept>>);
+
+impl SharedTiles {
+    pub fn lock(&self) -> MutexGuard<'_, Kept> {
+        // What a thread left half-noted when it panicked is not believed.
+        self.0.lock().unwrap_or_else(|poisoned: PoisonError<_>| {
+            let mut kept = poisoned.into_inner();
+            kept.forget();
+            kept
+        })
+    }
+}
+
 /// All GPU objects.
 #[derive(Clone, Debug)]
 pub(crate) struct Parts {
@@ -29,6 +48,10 @@ pub(crate) struct Parts {
     pub buffers: FrameBuffers,
     pub maps: Maps,
     pub layers: Option<Layers>,
+    /// The maps of what stands, once there was a use for them.
+    pub still: Option<StillMaps>,
+    /// What the tiles show, which all who share the maps must agree on.
+    pub kept: SharedTiles,
     pub filtered: Option<Filtered>,
     /// What the filtered maps were made for.
     key: ShaderKey,
@@ -56,6 +79,8 @@ impl Parts {
         let depth_layer = settings.bias.depth_layer;
         let layers = bound.and_then(|old| old.layers.clone()).filter(|layers| layers.makes(depth_layer));
         let layers = layers.or_else(|| Layers::new(objects, &buffers, &maps, depth_layer, capabilities));
+        // With a second surface a tile is one with its layers.
+        let still = bound.filter(|_| layers.is_none()).and_then(|old| old.still.clone());
         let filtered = match bound.filter(|old| old.key == *key) {
             Some(old) => old.filtered.clone(),
             None => {
@@ -86,6 +111,9 @@ impl Parts {
             buffers,
             maps,
             layers,
+            still,
+            // Settings say how casters are drawn too: what was drawn with others is not kept.
+            kept: SharedTiles::default(),
             filtered,
             key,
             samplers,
@@ -106,6 +134,7 @@ impl Parts {
     pub fn bytes(&self) -> u64 {
         self.maps.layout.bytes()
             + self.layers.as_ref().map_or(0, Layers::bytes)
+            + self.still.as_ref().map_or(0, |still| still.maps.layout.bytes())
             + self.filtered.as_ref().map_or(0, |filtered| filtered.textures().bytes())
     }
 }

@@ -4,7 +4,7 @@
 //! every layer is halved to as many sizes as are wanted. `shaders/prefilter/` of `umbrage-wgsl` has the steps, `shaders/moments/`
 //! what is stored.
 
-use umbrage_core::{Prefilter, ShadowPlan};
+use umbrage_core::{Prefilter, ShadowView};
 use umbrage_wgsl::MomentSteps;
 
 use crate::compute::{Kernel, KernelOn};
@@ -68,16 +68,20 @@ impl MomentMaps {
     }
 
     /// Makes the moments of a plan's views.
-    pub fn record(&self, pass: &mut wgpu::ComputePass<'_>, plan: &ShadowPlan) {
-        for view in plan.views() {
+    pub fn record<'v>(
+        &self,
+        pass: &mut wgpu::ComputePass<'_>,
+        views: impl Iterator<Item = &'v ShadowView> + Clone,
+    ) {
+        for view in views.clone() {
             let (layer, side) = (view.tile.layer as usize, view.tile.size / self.prefilter.downsample);
             self.convert[layer].record(pass, view.index, [side.div_ceil(8); 2]);
             for steps in self.blur.iter().flatten() {
                 steps[layer].record(pass, view.index, [side.div_ceil(64), side]);
             }
         }
-        // Of the layers that this plan has.
-        let layers = plan.views().iter().map(|view| view.tile.layer as usize + 1).max().unwrap_or(0);
+        // Of the layers that these views have.
+        let layers = views.map(|view| view.tile.layer as usize + 1).max().unwrap_or(0);
         for (level, steps) in (1..).zip(&self.halve) {
             let groups = self.textures.extent.size.map(|side| (side >> level).max(1).div_ceil(8));
             steps.iter().take(layers).for_each(|step| step.record(pass, 0, groups));

@@ -3,6 +3,7 @@
 mod access;
 mod casters;
 mod drawing;
+mod keeping;
 
 use glam::DVec3;
 use umbrage_core::{
@@ -13,6 +14,7 @@ use umbrage_wgsl::{FrameBytes, ShaderKey, Surroundings};
 use crate::capabilities::Capabilities;
 use crate::changed::Changed;
 use crate::error::ShadowError;
+use crate::kept::Step;
 use crate::maps::check_size;
 use crate::objects::Objects;
 use crate::parts::{Parts, Wanted};
@@ -31,6 +33,10 @@ pub struct Shadows {
     allocation: Allocation,
     parts: Parts,
     bytes: FrameBytes,
+    /// What the plan that was uploaded last must draw.
+    steps: Vec<Step>,
+    /// Whether still maps would have saved some of that.
+    would_keep_still: bool,
     picture_size: [u32; 2],
     /// What shaders' positions are relative to.
     origin: DVec3,
@@ -58,6 +64,8 @@ impl Shadows {
             allocation,
             parts,
             bytes: FrameBytes::default(),
+            steps: Vec::new(),
+            would_keep_still: false,
             picture_size: PICTURE_SIZE,
             origin: DVec3::ZERO,
         })
@@ -124,6 +132,7 @@ impl Shadows {
             objects: objects.made(),
         };
         (self.settings, self.allocation, self.key, self.parts) = (settings, allocation, key, parts);
+        self.steps.clear();
         Ok(changed)
     }
 
@@ -179,7 +188,8 @@ impl Shadows {
         self.origin = origin;
     }
 
-    /// Tells the GPU of a plan. Draw the plan's views after it, then [`Self::finish`], then shade.
+    /// Tells the GPU of a plan, and finds out which of its views must be drawn: those whose tiles do not show already what their
+    /// [keys](ShadowView::key) name. Draw them after it, then [`Self::finish`], then shade.
     ///
     /// # Errors
     /// When the plan was made for other settings, or for other maps.
@@ -192,6 +202,9 @@ impl Shadows {
         };
         let frame = self.bytes.write(plan, &self.settings, &surroundings);
         queue.write_buffer(&self.parts.buffers.frame, 0, frame);
+        let has_still = self.parts.still.is_some();
+        let wants = self.parts.kept.lock().decide(plan.views(), has_still, &mut self.steps);
+        self.would_keep_still = wants && self.parts.layers.is_none();
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 //! Source: Crow, SIGGRAPH 1984; in whole numbers that wrap around, Peters et al., JCGT 6 (1), 2017, §4. `shaders/prefilter/sum.wgsl`
 //! of `umbrage-wgsl` has the steps, `shaders/sampling/box.wgsl` the reads.
 
-use umbrage_core::ShadowPlan;
+use umbrage_core::ShadowView;
 use umbrage_wgsl::SumSteps;
 
 use crate::compute::{Kernel, KernelOn};
@@ -40,8 +40,8 @@ impl SumMaps {
     }
 
     /// Makes the sums of a plan's views.
-    pub fn record(&self, pass: &mut wgpu::ComputePass<'_>, plan: &ShadowPlan) {
-        for view in plan.views() {
+    pub fn record<'v>(&self, pass: &mut wgpu::ComputePass<'_>, views: impl Iterator<Item = &'v ShadowView>) {
+        for view in views {
             let layer = view.tile.layer as usize;
             for steps in [&self.rows, &self.columns] {
                 steps[layer].record(pass, view.index, [view.tile.size, 1]);

@@ -62,6 +62,10 @@ pub enum WorldsCommand {
         /// Write everything as it stands at that time, and nothing that moves
         #[arg(long)]
         bake: bool,
+        /// Write also its cameras and lights as they stand then, in the coordinates of the .glb, as JSON to a file, or to stdout
+        /// as `-`: for renderers that read none from a .glb
+        #[arg(long, value_name = "FILE")]
+        cameras: Option<PathBuf>,
     },
 }
 

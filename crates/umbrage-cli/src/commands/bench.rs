@@ -1,20 +1,26 @@
 //! `umbrage bench`: frame times along the world's path.
 
+mod batch;
+
 use std::sync::Arc;
 
 use serde::Serialize;
 use umbrage::{Camera, Settings};
 use umbrage_judge::statistics::Spread;
 use umbrage_lab::{Milliseconds, Shot};
-use umbrage_render::{Frame, Gpu, Rendered, Renderer, Show, ViewLoad};
+use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
-use crate::args::BenchArgs;
+use self::batch::{Timed, Way};
+use crate::args::{BaselineArg, BenchArgs};
 use crate::failure::Outcome;
 use crate::{advice, output, progress, settings, world};
 
 /// Length of a world's path in time, for things that move, seconds.
 const PATH_SECONDS: f32 = 10.0;
+/// Batches of at most so many frames are timed: long enough for a mean, short enough for a spread, and for ways to take
+/// turns often on a machine whose load changes.
+const BATCH: usize = 6;
 
 /// `umbrage bench --json`.
 #[derive(Serialize)]
@@ -31,20 +37,33 @@ struct Report<'a> {
     texels: u64,
     bytes: u64,
     frames: usize,
-    milliseconds: Milliseconds,
-    /// The same frames drawn otherwise, one after the other in the same run.
+    milliseconds: Times,
+    /// The same frames drawn otherwise, batch by batch in turn in the same run.
     #[serde(skip_serializing_if = "Option::is_none")]
     baselines: Option<Baselines>,
     /// The views of the last frame.
     views: Vec<View>,
     /// Every timed frame, in order: plan, casters, shade, frame, filter, bending.
     every_frame: Vec<[f64; 6]>,
+    /// The mean time of a frame in each batch, in order.
+    batches: Vec<f64>,
+}
+
+/// Times of one way to draw. The spread of `frame` is that of the batches' means.
+#[derive(Serialize)]
+struct Times {
+    #[serde(flatten)]
+    stages: Milliseconds,
+    /// The mean time of a frame over the whole run.
+    frame_mean: f64,
 }
 
 #[derive(Serialize)]
 struct Baselines {
-    no_shadows: Milliseconds,
-    no_culling: Milliseconds,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_shadows: Option<Times>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_culling: Option<Times>,
 }
 
 #[derive(Serialize)]
@@ -62,31 +81,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
     let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
-    let bar = progress::bar(u64::from(args.frames + args.warm_up), "frames");
-    let (mut samples, mut no_shadows, mut no_culling, mut loads) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for number in 0..args.frames + args.warm_up {
-        let counted = number.checked_sub(args.warm_up);
-        let share = counted.unwrap_or(0) as f32 / (args.frames.max(2) - 1) as f32;
-        let frame = along_path(&shot, &scene, args, share)?;
-        let Rendered { drawn, times } = renderer.render(&frame)?;
-        loads = drawn.loads().to_vec();
-        drop(drawn);
-        let mut others = None;
-        if args.baselines {
-            let unshadowed = renderer.render(&Frame { show: Show::Unshadowed, ..frame.clone() })?.times;
-            renderer.cull_parts = false;
-            others = Some((unshadowed, renderer.render(&frame)?.times));
-            renderer.cull_parts = true;
-        }
-        if counted.is_some() {
-            samples.push(times);
-            no_shadows.extend(others.map(|(times, _)| times));
-            no_culling.extend(others.map(|(_, times)| times));
-        }
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
+    let [shadowed, unshadowed, unculled] = timed(args, &scene, &shot, &gpu, &mut renderer)?;
     let layout = renderer.shadows().layout();
     let report = Report {
         world: &scene.name,
@@ -99,23 +94,76 @@ pub fn run(args: &BenchArgs) -> Outcome {
         settings: renderer.shadows().settings(),
         texels: layout.texels(),
         bytes: renderer.shadows().bytes(),
-        frames: samples.len(),
-        milliseconds: Milliseconds::of(&samples),
-        baselines: args.baselines.then(|| Baselines {
-            no_shadows: Milliseconds::of(&no_shadows),
-            no_culling: Milliseconds::of(&no_culling),
+        frames: shadowed.frames.len(),
+        milliseconds: Times::of(&shadowed),
+        baselines: (!args.baselines.is_empty()).then(|| Baselines {
+            no_shadows: Times::of_any(&unshadowed),
+            no_culling: Times::of_any(&unculled),
         }),
-        views: loads.into_iter().map(view).collect(),
-        every_frame: samples
+        every_frame: shadowed
+            .frames
             .iter()
             .map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter, t.deform])
             .collect(),
+        views: shadowed.loads.into_iter().map(view).collect(),
+        batches: shadowed.batches,
     };
     match &args.json {
         Some(path) => output::write_json(path, &report)?,
         None => output::print(&text(&report))?,
     }
     Ok(())
+}
+
+/// Times frames along the path, with the baselines in turn where they are wanted.
+fn timed(
+    args: &BenchArgs,
+    scene: &Scene,
+    shot: &Shot,
+    gpu: &Gpu,
+    renderer: &mut Renderer,
+) -> Outcome<[Timed; 3]> {
+    let frames = args.frames as usize;
+    let share = |number: usize| number as f32 / (frames.max(2) - 1) as f32;
+    let mut before = along_path(shot, scene, args, 0.0)?;
+    let bar = progress::bar(u64::from(args.frames + args.warm_up), "frames");
+    for _ in 0..args.warm_up {
+        renderer.render(&before)?;
+        bar.inc(1);
+    }
+    let mut timed = [Timed::default(), Timed::default(), Timed::default()];
+    let has = |baseline| args.baselines.contains(&baseline);
+    let ways = [
+        (Way::Shadowed, true),
+        (Way::Unshadowed, has(BaselineArg::NoShadows)),
+        (Way::Unculled, has(BaselineArg::NoCulling)),
+    ];
+    for start in (0..frames).step_by(BATCH) {
+        let numbers = start..frames.min(start + BATCH);
+        let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
+        let batch = batch.collect::<Outcome<Vec<_>>>()?;
+        for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
+            timed.add(renderer, gpu, *way, &before, &batch)?;
+        }
+        bar.inc(batch.len() as u64);
+        before = batch.into_iter().last().unwrap_or(before);
+    }
+    bar.finish_and_clear();
+    Ok(timed)
+}
+
+impl Times {
+    /// The times of a way that was drawn.
+    fn of_any(timed: &Timed) -> Option<Self> {
+        (!timed.frames.is_empty()).then(|| Self::of(timed))
+    }
+
+    fn of(timed: &Timed) -> Self {
+        let frames = &timed.frames;
+        let stages = Milliseconds { frame: Spread::of(timed.batches.clone()), ..Milliseconds::of(frames) };
+        let frame_mean = frames.iter().map(|times| times.frame).sum::<f64>() / frames.len() as f64;
+        Self { stages, frame_mean }
+    }
 }
 
 /// The frame at a share of the way: the camera moves unless the command line says where it is.
@@ -141,41 +189,36 @@ fn text(report: &Report<'_>) -> String {
     let Report { world, triangles, width, height, adapter, frames, bytes, .. } = report;
     let clock = if report.timestamps { "device timestamps" } else { "wall clock" };
     let mut text = format!(
-        "{world}: {triangles} triangles, {width} x {height}, {frames} frames on {adapter}\n{bytes} bytes of shadow maps; passes by {clock}\n"
+        "{world}: {triangles} triangles, {width} x {height}, {frames} frames on {adapter}\n{bytes} bytes of shadow maps; passes by {clock}, each frame waited for; frames as a window draws them, in the mean\n"
     );
     text += &table(&report.milliseconds);
     for View { light, split, draws, triangles } in &report.views {
         text += &format!("light {light} split {split}: {draws} draws, {triangles} triangles\n");
     }
-    if let Some(Baselines { no_shadows, no_culling }) = &report.baselines {
-        text +=
-            &format!("without shadows\n{}without culling parts\n{}", table(no_shadows), table(no_culling));
-        let (with, without) = (&report.milliseconds, no_shadows);
-        text += &format!(
-            "a frame takes {:.2} times as long with shadows\n",
-            with.frame.median / without.frame.median
-        );
-        let share = with.casters.median / no_culling.casters.median;
-        text += &format!("casters take {share:.2} times as long with culling\n");
+    let with = &report.milliseconds;
+    let Some(Baselines { no_shadows, no_culling }) = &report.baselines else { return text };
+    if let Some(without) = no_shadows {
+        let ratio = with.frame_mean / without.frame_mean;
+        text += &format!("without shadows\n{}", table(without));
+        text += &format!("a frame takes {ratio:.2} times as long with shadows\n");
+    }
+    if let Some(unculled) = no_culling {
+        let ratio = with.stages.casters.median / unculled.stages.casters.median;
+        text += &format!("without culling parts\n{}", table(unculled));
+        text += &format!("casters take {ratio:.2} times as long with culling\n");
     }
     text
 }
 
-fn table(milliseconds: &Milliseconds) -> String {
-    let Milliseconds { plan, deform, casters, filter, shade, frame } = milliseconds;
+fn table(times: &Times) -> String {
+    let Times { stages: Milliseconds { plan, deform, casters, filter, shade, frame }, frame_mean } = times;
     let row = |(name, spread): (&str, &Spread)| {
         let Spread { median, p5, p95 } = spread;
         format!("  {name:<8} {median:9.3} ms  ({p5:.3} to {p95:.3})\n")
     };
-    [
-        ("plan", plan),
-        ("deform", deform),
-        ("casters", casters),
-        ("filter", filter),
-        ("shade", shade),
-        ("frame", frame),
-    ]
-    .into_iter()
-    .map(row)
-    .collect()
+    let stages =
+        [("plan", plan), ("deform", deform), ("casters", casters), ("filter", filter), ("shade", shade)];
+    let stages: String = stages.into_iter().map(row).collect();
+    let Spread { median: _, p5, p95 } = frame;
+    stages + &format!("  {:<8} {frame_mean:9.3} ms  ({p5:.3} to {p95:.3} in batches)\n", "frame")
 }

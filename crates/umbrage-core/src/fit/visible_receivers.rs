@@ -178,6 +178,7 @@ mod tests {
     use crate::bias::reach;
     use crate::light_frustum::Limits;
     use crate::light_frustum::Pyramid;
+    use crate::receivers::Asked;
     use crate::{Bounds, Camera, Projection, Settings};
 
     /// The camera, the world and the light's direction of V29.
@@ -201,7 +202,7 @@ mod tests {
             reach: reach(&settings.filter, &settings.bias),
             flattens_casters: true,
             has_bulb: false,
-            is_shared: true,
+            asked: Asked::OwnSlice,
         }
     }
 

@@ -73,6 +73,6 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.compare_depth = depth + nearer + rounded;
     lookup.bend = bend;
-    lookup.gradient = umbrage_gradient(texel_basis, world_normal, to_light);
+    lookup.gradient = umbrage_gradient(texel_basis, slope, to_light);
     return lookup;
 }

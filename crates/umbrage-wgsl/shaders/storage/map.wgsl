@@ -5,7 +5,6 @@
 import package::frame::umbrage_frame;
 
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
-@group(0) @binding(2) var umbrage_compare: sampler_comparison;
 
 /// From the local space of a view to its clip space: x, y in −1…1 over its tile, depth 1 near the light to 0 far.
 fn umbrage_clip_from_local(view_index: u32) -> mat4x4f {
@@ -57,11 +56,4 @@ fn umbrage_address(view_index: u32, texel: vec2i) -> vec2i {
 /// Where the texture holds the texel around a place of a tile.
 fn umbrage_address_around(view_index: u32, texel: vec2f) -> vec2i {
     return vec2i(umbrage_frame.views[view_index].tile_origin + texel);
-}
-
-/// What share of the texels around a place of a tile leaves a receiver at `depth` lit: where `depth` is not less than what
-/// is stored. With a linear sampler four texels count, weighted bilinearly.
-fn umbrage_lit_share(view_index: u32, texel: vec2f, depth: f32) -> f32 {
-    let uv = umbrage_uv(view_index, texel, 0.5);
-    return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, umbrage_layer(view_index), depth);
 }

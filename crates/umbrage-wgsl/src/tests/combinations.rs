@@ -109,6 +109,14 @@ pub(super) fn filters() -> Vec<Filter> {
     others.into_iter().chain(sizes).chain(bells).chain(discs).chain(moments).collect()
 }
 
+/// What devices can do that have a filter.
+fn supports(filter: &Filter) -> Vec<TextureSupport> {
+    let opengl = TextureSupport { loads_depth: false, ..TextureSupport::WEBGPU };
+    let mut supports = vec![TextureSupport::ALL, TextureSupport::WEBGPU];
+    supports.extend((!filter.reads_depth_values()).then_some(opengl));
+    supports
+}
+
 pub(super) fn keys() -> Vec<(String, ShaderKey)> {
     let mut keys = Vec::new();
     for filter in filters() {
@@ -121,7 +129,7 @@ pub(super) fn keys() -> Vec<(String, ShaderKey)> {
             ] {
                 let bias = Bias { receiver_plane, ..Bias::default() };
                 let settings = Settings { filter, select, bias, blend, warp, ..Settings::default() };
-                for support in [TextureSupport::ALL, TextureSupport::WEBGPU] {
+                for support in supports(&filter) {
                     keys.push((format!("{settings:?}, {support:?}"), ShaderKey::new(&settings, support)));
                 }
             }
@@ -160,6 +168,7 @@ fn the_other_texts_are_valid_wgsl_and_bind_what_they_say() {
     binds("caster", &caster(2), 2, &caster_bindings(), true);
     binds("second caster", &second_caster(3), 3, &peel_bindings(), true);
     binds("peel", &peel(), 0, &peel_bindings(), true);
+    binds("restore", &restore(), 0, &restore_bindings(), true);
     binds("clear", &clear(), 0, &[], true);
     binds("map", &map(), 0, &[Binding::frame(Stages::Fragment)], true);
     for layer in [DepthLayer::Second, DepthLayer::Midpoint, DepthLayer::Dual] {

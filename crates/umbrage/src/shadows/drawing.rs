@@ -3,15 +3,16 @@
 use umbrage_core::{ShadowPlan, ShadowView};
 
 use super::Shadows;
-use crate::casting::Casting;
+use crate::casting::{Casting, Destination};
 use crate::error::ShadowError;
 use crate::frame::offset;
-use crate::layers::Layers;
+use crate::kept::{Share, Step, Target};
 use crate::maps::Maps;
 
 impl Shadows {
-    /// Begins to draw all views of a plan, in one render pass where their tiles lie in one layer, and in one a view otherwise. With
-    /// a `bias.depth_layer` other than the first, [`Self::cast_second`] follows.
+    /// Begins to draw the views of the plan that was uploaded last, in one render pass where their tiles lie in one layer, and in one
+    /// a view otherwise. Views whose tiles show what they are to show are left out: see [`Self::has_due_views`]. With a
+    /// `bias.depth_layer` other than the first, [`Self::cast_second`] follows.
     ///
     /// # Errors
     /// As [`Self::upload`].
@@ -34,8 +35,14 @@ impl Shadows {
         timestamps: Option<wgpu::RenderPassTimestampWrites<'a>>,
     ) -> Result<Casting<'a>, ShadowError> {
         self.check_plan(plan)?;
-        let group = &self.parts.buffers.caster_group;
-        Ok(Casting::new(encoder, self.drawn(), group, plan.views(), timestamps))
+        let parts = &self.parts;
+        let to = Destination {
+            maps: self.drawn(),
+            still: parts.still.as_ref(),
+            group: &parts.buffers.caster_group,
+            kept: Some(&parts.kept),
+        };
+        Ok(self.casting(encoder, to, plan, timestamps))
     }
 
     /// Begins to draw all views of a plan once more where `bias.depth_layer` asks for a second surface, with the pipeline of
@@ -50,10 +57,9 @@ impl Shadows {
         timestamps: Option<wgpu::RenderPassTimestampWrites<'a>>,
     ) -> Result<Option<Casting<'a>>, ShadowError> {
         self.check_plan(plan)?;
-        let casting = |layers: &'a Layers| {
-            Casting::new(encoder, &layers.second, &layers.peel_group, plan.views(), timestamps)
-        };
-        Ok(self.parts.layers.as_ref().map(casting))
+        let Some(layers) = &self.parts.layers else { return Ok(None) };
+        let to = Destination { maps: &layers.second, still: None, group: &layers.peel_group, kept: None };
+        Ok(Some(self.casting(encoder, to, plan, timestamps)))
     }
 
     /// Begins a pass that draws one view's casters: its tile is empty, viewport, scissor and group 0 are set. Views may be drawn in
@@ -70,6 +76,8 @@ impl Shadows {
     ) -> Result<wgpu::RenderPass<'e>, ShadowError> {
         self.check_view(view)?;
         let mut pass = self.drawn().begin(encoder, view, timestamps);
+        let step = Step { view: view.index, target: Target::Maps, share: Some(Share::All), restores: false };
+        self.parts.kept.lock().record(&step, view);
         pass.set_bind_group(0, &self.parts.buffers.caster_group, &[offset(view)]);
         Ok(pass)
     }
@@ -93,7 +101,7 @@ impl Shadows {
     }
 
     /// Makes of the casters that were drawn what lookups read: the surface between two layers, moments, sums. Call it
-    /// after the last view; for filters that read depths it does nothing.
+    /// after the last view; for filters that read depths it does nothing, nor for views that were not drawn.
     ///
     /// # Errors
     /// As [`Self::upload`].
@@ -112,13 +120,15 @@ impl Shadows {
         timestamp_writes: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) -> Result<(), ShadowError> {
         self.check_plan(plan)?;
+        let drawn = self.parts.kept.lock().take_drawn();
+        let views = plan.views().iter().filter(|view| drawn.get(view.index) == Some(&true));
         if let Some(layers) = &self.parts.layers {
-            layers.join(encoder, &self.parts.maps, plan);
+            layers.join(encoder, &self.parts.maps, views.clone());
         }
         if let Some(filtered) = &self.parts.filtered {
             let label = Some("Shadows::filter_pass");
             let descriptor = wgpu::ComputePassDescriptor { label, timestamp_writes };
-            filtered.record(&mut encoder.begin_compute_pass(&descriptor), plan);
+            filtered.record(&mut encoder.begin_compute_pass(&descriptor), views);
         }
         Ok(())
     }
@@ -126,6 +136,17 @@ impl Shadows {
     /// Whether [`Self::finish`] has something to compute.
     pub fn has_filter_pass(&self) -> bool {
         self.parts.filtered.is_some()
+    }
+
+    fn casting<'a>(
+        &'a self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        to: Destination<'a>,
+        plan: &'a ShadowPlan,
+        timestamps: Option<wgpu::RenderPassTimestampWrites<'a>>,
+    ) -> Casting<'a> {
+        let (views, steps) = (plan.views(), self.steps.as_slice());
+        Casting { encoder, to, views, steps, timestamps, pass: None, has_begun: false }
     }
 
     /// The maps that casters are drawn into first.
