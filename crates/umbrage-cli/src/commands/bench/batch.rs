@@ -7,9 +7,7 @@
 
 use std::time::Instant;
 
-use umbrage_render::{
-    Drawn, Frame, FrameTimes, Gpu, InFlight, RenderError, Rendered, Renderer, Show, ViewLoad,
-};
+use umbrage_render::{Drawn, Frame, FrameTimes, Gpu, InFlight, RenderError, Renderer, Show, ViewLoad};
 
 /// As many frames as a window has in flight.
 const IN_FLIGHT: usize = 2;
