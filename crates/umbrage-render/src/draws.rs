@@ -5,6 +5,7 @@
 
 mod lists;
 mod parts;
+mod reach;
 mod touched;
 
 use glam::Vec3;
@@ -16,6 +17,7 @@ pub use lists::{Draw, DrawLists};
 use crate::cover::Cover;
 use crate::posed::Posed;
 use parts::{PartRow, Slot};
+use reach::Reach;
 
 /// What no pose has moved for so many moves of other things stands.
 const STANDS_AFTER: u64 = 60;
@@ -29,7 +31,8 @@ pub struct PartTable {
     slots_of_instances: Vec<u32>,
     /// Where those of each instance begin, and where the last end.
     firsts: Vec<u32>,
-    /// The boxes of all slots, which is what is planned for: those of skies hold nothing.
+    /// The boxes of all slots, which is what is planned for: those of skies hold nothing. Of what moves they are its
+    /// [reach](Reach), so that a plan need not change while it goes to and fro.
     bounds: Bounds,
     /// The boxes of skies, and the numbers of their slots, in order.
     skies: Bounds,
@@ -40,6 +43,8 @@ pub struct PartTable {
     moves: u64,
     /// The last of these that moved each instance; 0 where none did.
     epochs: Vec<u64>,
+    /// The room that each slot takes, once something has moved.
+    reaches: Vec<Reach>,
 }
 
 impl PartTable {
@@ -69,6 +74,7 @@ impl PartTable {
             posed,
             moves: 0,
             epochs: vec![0; scene.instances.len()],
+            reaches: Vec::new(),
         }
     }
 
@@ -108,8 +114,11 @@ impl PartTable {
 
     /// Makes the boxes of what the pose moved.
     fn place(&mut self) {
+        if self.reaches.is_empty() {
+            self.reaches = (0..self.slots.len() as u32).map(|number| Reach::of(self.aabb(number))).collect();
+        }
         let Self { parts, slots, slots_of_instances, firsts, bounds, skies, sky_slots, .. } = self;
-        let Self { posed, moves, epochs, .. } = self;
+        let Self { posed, moves, epochs, reaches, .. } = self;
         for part in parts.iter_mut() {
             if let Some((shape, number)) = part.bent.filter(|(shape, _)| posed.bent[*shape]) {
                 part.local = posed.local(shape, number);
@@ -124,12 +133,15 @@ impl PartTable {
         });
         let moved = moved.map(|number| (*number, slots[*number as usize]));
         let of_sky = |slot: &Slot| parts[slot.part as usize].is_sky;
-        let boxed = |number: usize, slot: Slot| (number, aabb(parts, posed, slot));
-        bounds.set(moved.clone().filter(|(_, slot)| !of_sky(slot)).map(|(i, slot)| boxed(i as usize, slot)));
+        for (number, slot) in moved.clone() {
+            reaches[number as usize].move_to(aabb(parts, posed, slot), *moves);
+        }
+        let reach = |number: u32| reaches[number as usize].aabb;
+        bounds.set(moved.clone().filter(|(_, slot)| !of_sky(slot)).map(|(i, _)| (i as usize, reach(i))));
         if !sky_slots.is_empty() {
             let skies_moved = moved.filter(|(_, slot)| of_sky(slot));
             let place = |number: &u32| sky_slots.binary_search(number).ok();
-            skies.set(skies_moved.filter_map(|(number, slot)| Some(boxed(place(&number)?, slot))));
+            skies.set(skies_moved.filter_map(|(number, _)| Some((place(&number)?, reach(number)))));
         }
     }
 

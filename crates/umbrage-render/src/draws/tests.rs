@@ -104,7 +104,7 @@ fn lists_that_are_made_again_take_no_more_room() {
 }
 
 #[test]
-fn boxes_move_with_what_moves_and_come_back() {
+fn boxes_move_with_what_moves_and_hold_it_on_its_way() {
     let mut scene = scene();
     let axis = umbrage_scene::Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
     scene.instances[1].motion = axis;
@@ -114,8 +114,14 @@ fn boxes_move_with_what_moves_and_come_back() {
     let moved = table.bounds().clone();
     assert_ne!(moved, start);
     assert_eq!(moved, PartTable::new(&scene).into_bounds_in(&scene.instances, &Pose::at(1.0)));
-    table.move_to(&scene.instances, &Pose::at(0.0));
-    assert_eq!(*table.bounds(), start);
+    for step in 1..20 {
+        let pose = Pose::at(1.0 + 0.1 * step as f32);
+        table.move_to(&scene.instances, &pose);
+        let now = PartTable::new(&scene).into_bounds_in(&scene.instances, &pose);
+        for (reach, now) in table.bounds().objects().iter().zip(now.objects()) {
+            assert!(reach.min.cmple(now.min).all() && reach.max.cmpge(now.max).all(), "{reach:?}, {now:?}");
+        }
+    }
 }
 
 #[test]
