@@ -11,15 +11,15 @@ fn add(
     table: &PartTable,
     lists: &mut DrawLists,
     volume: &ConvexVolume,
-    is_wanted: impl Fn(&PartRow) -> bool,
+    is_wanted: impl Fn(&PartRow, u32) -> bool,
     may_join: impl Fn(&Draw, &PartRow) -> bool,
 ) {
     let first = lists.draws.len();
-    for (i, _) in table.parts.iter().enumerate().filter(|(_, part)| is_wanted(part)) {
+    for (i, part) in table.parts.iter().enumerate() {
         let start = lists.instances.len();
         for (number, slot) in (0..).zip(&table.slots).filter(|(_, slot)| slot.part as usize == i) {
             let aabb = table.aabb(number);
-            if !aabb.is_empty() && volume.may_touch_box(&aabb) {
+            if is_wanted(part, slot.instance) && !aabb.is_empty() && volume.may_touch_box(&aabb) {
                 lists.instances.push(slot.instance);
             }
         }
@@ -107,11 +107,14 @@ proptest! {
         let depth = |middle: Vec3| middle.z;
         for volume in volumes.iter().chain([&ConvexVolume::default(), &ConvexVolume::empty()]) {
             table.add_casters(&mut lists, Some(volume));
-            add(&table, &mut all, volume, |part| part.casts, |last, part| {
-                part.cover == Cover::Solid || last.material == part.material
-            });
+            for moving in [false, true] {
+                let is_wanted = |part: &PartRow, instance| part.casts && table.moves(instance) == moving;
+                add(&table, &mut all, volume, is_wanted, |last, part| {
+                    part.cover == Cover::Solid || last.material == part.material
+                });
+            }
             table.add_seen(&mut lists, volume);
-            let is_seen = |part: &PartRow| part.cover != Cover::Veil;
+            let is_seen = |part: &PartRow, _| part.cover != Cover::Veil;
             add(&table, &mut all, volume, is_seen, |last, part| last.material == part.material);
             table.add_veils(&mut lists, volume, depth);
             add_veils(&table, &mut all, volume, depth);
