@@ -1,6 +1,7 @@
 //! Tests of which parts are drawn into a view.
 
 use glam::{Mat4, Vec2, Vec3};
+use umbrage::ConvexVolume;
 use umbrage_scene::{Mesh, Primitive};
 
 use super::*;
