@@ -7,9 +7,7 @@
 
 use std::time::Instant;
 
-use umbrage_render::{
-    Drawn, Frame, FrameTimes, Gpu, InFlight, RenderError, Rendered, Renderer, Show, ViewLoad,
-};
+use umbrage_render::{Drawn, Frame, FrameTimes, Gpu, InFlight, RenderError, Renderer, Show, ViewLoad};
 
 /// As many frames as a window has in flight.
 const IN_FLIGHT: usize = 2;
@@ -23,6 +21,8 @@ pub enum Way {
     Unshadowed,
     /// With every part of the world drawn into every map.
     Unculled,
+    /// With every map drawn anew.
+    Forgetful,
 }
 
 /// What frames of one way took.
@@ -40,8 +40,8 @@ pub struct Timed {
 pub struct Bench<'a> {
     pub renderer: &'a mut Renderer,
     pub gpu: &'a Gpu,
-    /// Whether every map is drawn anew each frame.
-    pub redraw: bool,
+    /// Whether maps are kept that show already what they should.
+    pub keeps: bool,
 }
 
 impl Timed {
@@ -56,15 +56,16 @@ impl Timed {
     ) -> Result<(), RenderError> {
         let [before, batch] = [std::slice::from_ref(before), batch].map(|frames| way.frames(frames));
         bench.renderer.cull_parts = way != Way::Unculled;
+        bench.renderer.keep_tiles = bench.keeps && way != Way::Forgetful;
         let between = bench.pipelined(&before[0], &batch)?;
-        bench.waited(&before[0])?;
+        bench.renderer.render(&before[0])?;
         for (frame, between) in batch.iter().zip(&between) {
-            let rendered = bench.waited(frame)?;
+            let rendered = bench.renderer.render(frame)?;
             self.loads = rendered.drawn.loads().to_vec();
             self.frames.push(FrameTimes { frame: *between, ..rendered.times });
         }
         self.batches.push(between.iter().sum::<f64>() / between.len() as f64);
-        bench.renderer.cull_parts = true;
+        (bench.renderer.cull_parts, bench.renderer.keep_tiles) = (true, true);
         Ok(())
     }
 }
@@ -75,7 +76,6 @@ impl Bench<'_> {
         self.renderer.set_pass_times(false);
         let mut in_flight = InFlight::new(self.gpu, IN_FLIGHT);
         let mut draw = |frame: &Frame| -> Result<Instant, RenderError> {
-            self.forget();
             // A window shows each picture, and then gives it up.
             let _: Drawn = self.renderer.draw(frame)?;
             in_flight.handed_over()?;
@@ -89,24 +89,12 @@ impl Bench<'_> {
         self.renderer.set_pass_times(true);
         Ok(done.windows(2).map(|pair| (pair[1] - pair[0]).as_secs_f64() * 1e3).collect())
     }
-
-    /// Draws a frame, and waits for it.
-    fn waited(&mut self, frame: &Frame) -> Result<Rendered, RenderError> {
-        self.forget();
-        self.renderer.render(frame)
-    }
-
-    fn forget(&self) {
-        if self.redraw {
-            self.renderer.shadows().forget();
-        }
-    }
 }
 
 impl Way {
     fn frames(self, frames: &[Frame]) -> Vec<Frame> {
         let shown = |frame: &Frame| match self {
-            Self::Shadowed | Self::Unculled => frame.clone(),
+            Self::Shadowed | Self::Unculled | Self::Forgetful => frame.clone(),
             Self::Unshadowed => Frame { show: Show::Unshadowed, ..frame.clone() },
         };
         frames.iter().map(shown).collect()
