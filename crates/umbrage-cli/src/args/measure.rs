@@ -80,15 +80,18 @@ pub enum MotionArg {
     SubTexel,
 }
 
-/// What frames are compared with.
+/// What frames are drawn without, to be compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum BaselineArg {
     /// No shadows
-    NoShadows,
+    #[value(name = "no-shadows")]
+    Shadows,
     /// Every part of the world drawn into every shadow map
-    NoCulling,
+    #[value(name = "no-culling")]
+    Culling,
     /// Every shadow map drawn anew, whatever it shows already
-    NoKeeping,
+    #[value(name = "no-keeping")]
+    Keeping,
 }
 
 #[derive(Debug, Args)]

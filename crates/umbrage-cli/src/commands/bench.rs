@@ -138,9 +138,9 @@ fn timed(
     let has = |baseline| args.baselines.contains(&baseline);
     let ways = [
         (Way::Shadowed, true),
-        (Way::Unshadowed, has(BaselineArg::NoShadows)),
-        (Way::Unculled, has(BaselineArg::NoCulling)),
-        (Way::Forgetful, has(BaselineArg::NoKeeping)),
+        (Way::Unshadowed, has(BaselineArg::Shadows)),
+        (Way::Unculled, has(BaselineArg::Culling)),
+        (Way::Forgetful, has(BaselineArg::Keeping)),
     ];
     for start in (0..frames).step_by(BATCH) {
         let numbers = start..frames.min(start + BATCH);

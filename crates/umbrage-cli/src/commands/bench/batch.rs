@@ -1,9 +1,9 @@
 //! How a batch of frames is timed: as a window draws them, and then pass by pass.
 //!
 //! A window hands frames over and does not wait for them, so that the CPU plans one while the device draws another; what
-//! a frame costs is then the time between two that are done, and only the mean over some of them is steady. Timestamps keep
-//! passes from overlapping, on a software device more than on others, so they are off meanwhile. A second time
-//! the same frames are drawn with timestamps, each waited for.
+//! a frame costs is then the time between two that are done, and only the mean over some of them is steady. A device may not
+//! let passes overlap between which it takes the time, so timestamps are off meanwhile. A second time the same frames
+//! are drawn with timestamps, each waited for.
 
 use std::time::Instant;
 
