@@ -147,7 +147,7 @@ fn timed(
         let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
         let batch = batch.collect::<Outcome<Vec<_>>>()?;
         for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
-            timed.add(Bench { renderer, gpu, keeps: !args.redraw }, *way, &before, &batch)?;
+            timed.add(Bench { renderer, gpu }, *way, &before, &batch)?;
         }
         bar.inc(batch.len() as u64);
         before = batch.into_iter().last().unwrap_or(before);

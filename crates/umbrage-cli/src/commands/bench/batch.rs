@@ -40,8 +40,6 @@ pub struct Timed {
 pub struct Bench<'a> {
     pub renderer: &'a mut Renderer,
     pub gpu: &'a Gpu,
-    /// Whether maps are kept that show already what they should.
-    pub keeps: bool,
 }
 
 impl Timed {
@@ -56,7 +54,7 @@ impl Timed {
     ) -> Result<(), RenderError> {
         let [before, batch] = [std::slice::from_ref(before), batch].map(|frames| way.frames(frames));
         bench.renderer.cull_parts = way != Way::Unculled;
-        bench.renderer.keep_tiles = bench.keeps && way != Way::Forgetful;
+        bench.renderer.keep_tiles = way != Way::Forgetful;
         let between = bench.pipelined(&before[0], &batch)?;
         bench.renderer.render(&before[0])?;
         for (frame, between) in batch.iter().zip(&between) {
