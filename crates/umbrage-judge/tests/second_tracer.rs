@@ -7,7 +7,7 @@ mod pictures;
 mod second;
 
 use cards::{material, scene, square};
-use glam::{DVec3, Mat4, Quat, Vec3, Vec4};
+use glam::{DVec2, DVec3, Mat4, Quat, Vec3, Vec4};
 use pictures::texture;
 use proptest::prelude::*;
 use second::{SecondTracer, Seen};
@@ -93,6 +93,23 @@ fn some_light(dice: &mut Dice) -> Light {
     }
 }
 
+/// Where an edge is looked for, pixels.
+const ASIDE: [DVec2; 4] =
+    [DVec2::new(1e-3, 0.0), DVec2::new(-1e-3, 0.0), DVec2::new(0.0, 1e-3), DVec2::new(0.0, -1e-3)];
+
+/// Whether a pixel is what the second tracer sees.
+fn agree(pixel: &Pixel, other: Seen) -> bool {
+    match (pixel, other) {
+        (Pixel::Sky, other) => other == Seen::Sky,
+        (Pixel::TurnedAway, other) => other == Seen::TurnedAway,
+        (pixel, Seen::Reached(share)) => {
+            // The receiver is lifted otherwise: alpha between pixels changes a little with it.
+            pixel.visibility().is_some_and(|own| (f64::from(own) - share).abs() < 2e-3)
+        }
+        (_, Seen::Sky | Seen::TurnedAway) => false,
+    }
+}
+
 /// How many pixels of a scene were compared, how many of them in part lit, and how many left out.
 fn compare(seed: u64, cards: usize) -> Result<[usize; 3], String> {
     let mut dice = Dice(seed);
@@ -106,23 +123,25 @@ fn compare(seed: u64, cards: usize) -> Result<[usize; 3], String> {
     let mut counts = [0, 0, 0];
     for (i, pixel) in truth.pixels.iter().enumerate() {
         let (x, y) = (i as u32 % WIDTH, i as u32 / WIDTH);
-        let ray = eye.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let other = second.look(ray.origin, ray.direction, [eye.near, eye.far], &light);
-        let agrees = match (pixel, other) {
-            (Pixel::Ambiguous, _) => {
+        let look = |aside: DVec2| {
+            let ray = eye.ray(f64::from(x) + 0.5 + aside.x, f64::from(y) + 0.5 + aside.y);
+            second.look(ray.origin, ray.direction, [eye.near, eye.far], &light)
+        };
+        match pixel {
+            Pixel::Ambiguous => {
                 counts[2] += 1;
                 continue;
             }
-            (Pixel::Unreached | Pixel::Beyond, _) => continue,
-            (Pixel::Sky, other) => other == Seen::Sky,
-            (Pixel::TurnedAway, other) => other == Seen::TurnedAway,
-            (pixel, Seen::Reached(share)) => {
-                // The receiver is lifted otherwise: alpha between pixels changes a little with it.
-                pixel.visibility().is_some_and(|own| (f64::from(own) - share).abs() < 2e-3)
+            Pixel::Unreached | Pixel::Beyond => continue,
+            Pixel::Sky | Pixel::TurnedAway | Pixel::Lit | Pixel::Shadowed | Pixel::Partial(_) => {}
+        }
+        let other = look(DVec2::ZERO);
+        if !agree(pixel, other) {
+            // The receiver is lifted otherwise, so that an edge of a mask may lie between the two.
+            if ASIDE.iter().any(|aside| agree(pixel, look(*aside))) {
+                counts[2] += 1;
+                continue;
             }
-            (_, Seen::Sky | Seen::TurnedAway) => false,
-        };
-        if !agrees {
             return Err(format!("seed {seed}, {cards} cards, pixel {x} {y}: {pixel:?}, not {other:?}"));
         }
         counts[0] += 1;

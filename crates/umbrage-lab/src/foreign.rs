@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn half_the_suns_light_is_half_visible() {
         // 0.2158 and 0.0 in linear light, and half of it: 0.1079.
-        assert_eq!(visibility([93, 0, 0], [128, 0, 0], [0, 0, 0]).map(|v| (100.0 * v).round()), Some(50.0));
+        assert_eq!(visibility([92, 0, 0], [128, 0, 0], [0, 0, 0]).map(|v| (100.0 * v).round()), Some(50.0));
         assert_eq!(visibility([40, 40, 40], [128, 128, 128], [40, 40, 40]), Some(0.0));
         assert_eq!(visibility([128, 90, 9], [128, 90, 9], [40, 40, 9]), Some(1.0));
     }

@@ -54,7 +54,9 @@ impl<'a> Laboratory<'a> {
     /// # Errors
     /// As [`Renderer::new`].
     pub fn new(gpu: &'a Gpu, scene: &'a Scene) -> Result<Self, LabError> {
-        let renderer = Renderer::new(gpu, scene, Settings::default())?;
+        let mut renderer = Renderer::new(gpu, scene, Settings::default())?;
+        // What is measured is what maps cost that are drawn.
+        renderer.keep_tiles = false;
         Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default() })
     }
 
