@@ -23,6 +23,7 @@ use crate::light_projection::LightProjection;
 use crate::reach::Reach;
 use crate::receivers::{Asked, Receivers, ViewInput};
 use crate::rectangle::Rectangle;
+use crate::samples::{ChosenRectangle, SampleRegion};
 use crate::settings::{MAX_LIGHTS, Select, Settings};
 use crate::split::{Splits, split_distances, spot_splits};
 use crate::view::ShadowView;
@@ -202,6 +203,15 @@ impl ShadowPlan {
         }
     }
 
+    /// Says which rectangle a pass has chosen for a view, by the view's place in the plan: its matrix and the size of its texels are
+    /// those that shaders see then. Nothing happens where there is no such view, or nothing is chosen for it.
+    pub fn set_rectangle(&mut self, view: usize, chosen: &ChosenRectangle) {
+        if let Some(view) = self.views.get_mut(view).filter(|view| view.samples.is_some()) {
+            view.clip_from_world = finite_f64(chosen.in_place_of(&view.clip_from_world));
+            view.texel_metres = finite(chosen.sides.max_element() / f64::from(view.tile.size));
+        }
+    }
+
     /// The views, light by light, and in a light split by split or face by face.
     pub fn views(&self) -> &[ShadowView] {
         &self.views
@@ -243,7 +253,9 @@ impl<'a> Frame<'a> {
         let Self { settings, reach, shadowed, .. } = self;
         match settings.select {
             Select::Map if !light_frustum.is_face() => {
-                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution);
+                // What the camera's depth does not show, as glass, may be covered by no finer map.
+                let all_are_seen = settings.fit != Fit::Sample;
+                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution) && all_are_seen;
                 Asked::Covered(if nearer_are_held { slice_start } else { shadowed.start }..shadowed.end)
             }
             Select::Map | Select::Depth | Select::ClipDepth => Asked::OwnSlice,
@@ -257,6 +269,7 @@ struct FittedMap {
     texel_metres: f64,
     casters: ConvexVolume,
     unclipped_depth: bool,
+    samples: Option<SampleRegion>,
 }
 
 /// The whole way of one view, from what it is made from to its matrix and its casters.
@@ -264,11 +277,16 @@ fn fitted_map(fit: Fit, warp: Warp, input: &ViewInput<'_>, outline: &mut Outline
     let receivers = Receivers::of(input);
     let (region, policy) = fit.region(input, &receivers, outline);
     let homography = warp.homography(input, &region);
-    let Rectangle { min, max, texel_metres } = region.rectangle(input, &homography);
+    let samples = SampleRegion::of(input, &region, &homography);
+    let rectangle = match &samples {
+        Some(samples) => samples.rectangle(input.resolution),
+        None => region.rectangle(input, &homography),
+    };
+    let Rectangle { min, max, texel_metres } = rectangle;
     let depths = region.depths.resolve(input, &region.space, texel_metres);
     let projection = LightProjection { space: region.map_space(&homography), homography, min, max, depths };
     let casters = policy.volume(input, &region, &projection, texel_metres);
-    FittedMap { projection, texel_metres, casters, unclipped_depth: policy.flattens(input) }
+    FittedMap { projection, texel_metres, casters, unclipped_depth: policy.flattens(input), samples }
 }
 
 /// Which view of the frame a map is.
@@ -283,7 +301,7 @@ struct Place {
 
 /// The view that draws a map.
 fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
-    let FittedMap { projection, texel_metres, casters, unclipped_depth } = map;
+    let FittedMap { projection, texel_metres, casters, unclipped_depth, samples } = map;
     let Place { index, light, split, tile, depths } = place;
     ShadowView {
         index,
@@ -300,6 +318,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
         depth_scale: finite_vector(projection.depth_scale()),
         tile,
         unclipped_depth,
+        samples,
     }
 }
 
