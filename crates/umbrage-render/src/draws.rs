@@ -159,20 +159,67 @@ impl PartTable {
             |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
         let everything = ConvexVolume::default();
         let volume = volume.unwrap_or(&everything);
-        for moving in [false, true] {
-            self.add(lists, volume, |part, instance| part.casts && self.moves(instance) == moving, joins);
+        let wanted = |moving| move |part: &PartRow, instance| part.casts && self.moves(instance) == moving;
+        self.add(lists, volume, wanted(false), joins);
+        if self.moves > 0 {
+            self.add(lists, volume, wanted(true), joins);
+        } else {
+            lists.ends.push(lists.draws.len());
         }
     }
 
-    /// Appends the draws of everything but veils that may touch `volume`, each with one material.
-    pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume) {
-        let joins = |last: &Draw, part: &PartRow| last.material == part.material;
-        self.add(lists, volume, |part, _| part.cover != Cover::Veil, joins);
+    /// Appends the draws of everything but veils that may touch `volume`, one a part, solid ones first, and then those first that
+    /// come nearest to `eye`: what lies behind them is not shaded then.
+    pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume, eye: Vec3) {
+        let DrawLists { instances, draws, ends, touched, by_distance } = lists;
+        let first = draws.len();
+        self.touch(touched, volume);
+        let mut open = None;
+        touched.drain(|number| {
+            let Slot { part, instance } = self.slots[number as usize];
+            let row = &self.parts[part as usize];
+            if row.cover == Cover::Veil {
+                return;
+            }
+            if open != Some(part) {
+                self.close_seen(open, by_distance, instances, draws);
+                open = Some(part);
+            }
+            by_distance.push((Self::distance(row, &self.aabb(number), eye), instance));
+        });
+        self.close_seen(open, by_distance, instances, draws);
+        draws[first..].sort_unstable_by(|a, b| {
+            let order = a.cover.cmp(&b.cover).then(a.depth.total_cmp(&b.depth));
+            order.then(a.instances.start.cmp(&b.instances.start))
+        });
+        ends.push(draws.len());
+    }
+
+    /// The square of the distance of a part's box from the eye, square metres: 0 within the box, and endless of skies, which lie
+    /// behind everything.
+    fn distance(part: &PartRow, aabb: &Aabb, eye: Vec3) -> f32 {
+        if part.is_sky { f32::MAX } else { (eye - eye.clamp(aabb.min, aabb.max)).length_squared() }
+    }
+
+    /// Appends the draw of a part, with its instances from the nearest on.
+    fn close_seen(
+        &self,
+        part: Option<u32>,
+        by_distance: &mut Vec<(f32, u32)>,
+        instances: &mut Vec<u32>,
+        draws: &mut Vec<Draw>,
+    ) {
+        let Some(part) = part else { return };
+        by_distance.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let (start, depth) = (instances.len(), by_distance.first().map_or(0.0, |(nearest, _)| *nearest));
+        instances.extend(by_distance.drain(..).map(|(_, instance)| instance));
+        let draw = self.parts[part as usize].draw(start as u32..instances.len() as u32);
+        draws.push(Draw { depth, ..draw });
     }
 
     /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
     pub fn add_veils(&self, lists: &mut DrawLists, volume: &ConvexVolume, depth: impl Fn(Vec3) -> f32) {
-        let DrawLists { instances, draws, ends, touched } = lists;
+        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
         let first = draws.len();
         if self.parts.last().is_some_and(|part| part.cover == Cover::Veil) {
             self.touch(touched, volume);
@@ -220,7 +267,7 @@ impl PartTable {
         is_wanted: impl Fn(&PartRow, u32) -> bool,
         may_join: impl Fn(&Draw, &PartRow) -> bool,
     ) {
-        let DrawLists { instances, draws, ends, touched } = lists;
+        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
         let first = draws.len();
         self.touch(touched, volume);
         // The part whose instances are being listed.

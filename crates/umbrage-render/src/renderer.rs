@@ -181,7 +181,7 @@ impl Renderer {
             Show::Unshadowed | Show::Given(_) | Show::Nothing => {}
         }
         let planned = Arc::clone(planned);
-        let target = self.make_picture_ready(show, planned.size, planned.samples)?;
+        let target = self.target(show, planned.size, planned.samples)?;
         self.shade(planned, show, target)
     }
 
@@ -212,19 +212,11 @@ impl Renderer {
             let changed = self.gpu.allocate("the shadow maps", make)?;
             self.use_shadows(shadows, changed);
         }
-        self.make_picture_ready(&frame.show, [frame.width, frame.height], frame.samples)
+        self.target(&frame.show, [frame.width, frame.height], frame.samples)
     }
 
-    fn make_picture_ready(
-        &mut self,
-        show: &Show,
-        size: [u32; 2],
-        samples: u32,
-    ) -> Result<Arc<Target>, RenderError> {
-        let target = self.targets.take(&self.gpu, Shape::of(show, size, samples))?;
-        let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
-        self.shading.make_ready(inputs, show, &target, size)?;
-        Ok(target)
+    fn target(&mut self, show: &Show, size: [u32; 2], samples: u32) -> Result<Arc<Target>, RenderError> {
+        self.targets.take(&self.gpu, Shape::of(show, size, samples))
     }
 
     /// Plans a frame, and draws its shadow maps.
@@ -368,7 +360,7 @@ fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
         parts.add_casters(lists, cull_parts.then_some(&view.casters));
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    parts.add_seen(lists, &seen);
+    parts.add_seen(lists, &seen, camera.eye());
     parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }
 

@@ -57,7 +57,7 @@ fn a_frame_is_moved_planned_and_listed_without_an_allocation() {
             table.add_casters(lists, Some(&view.casters));
         }
         let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-        table.add_seen(lists, &seen);
+        table.add_seen(lists, &seen, camera.eye());
         table.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
     };
     // Lists of other cameras may need a little more room, once.

@@ -87,6 +87,8 @@ pub enum BaselineArg {
     NoShadows,
     /// Every part of the world drawn into every shadow map
     NoCulling,
+    /// Every shadow map drawn anew, whatever it shows already
+    NoKeeping,
 }
 
 #[derive(Debug, Args)]
@@ -118,8 +120,12 @@ pub struct BenchArgs {
     /// Samples a pixel, 1 or 4
     #[arg(long, default_value_t = 1, value_parser = clap::builder::PossibleValuesParser::new(["1", "4"]).map(|s| if s == "4" { 4u32 } else { 1 }))]
     pub samples: u32,
-    /// Draw each frame otherwise too: without shadows, with every part of the world drawn into every shadow map, or both
-    #[arg(long, value_enum, value_name = "WAYS", num_args = 0.., require_equals = true, value_delimiter = ',', default_missing_values = ["no-shadows", "no-culling"])]
+    /// Draw every shadow map anew each frame, also those that show already what they should
+    #[arg(long)]
+    pub redraw: bool,
+    /// Draw each frame otherwise too: without shadows, with every part of the world drawn into every shadow map, with every map
+    /// drawn anew whatever it shows already, or all three
+    #[arg(long, value_enum, value_name = "WAYS", num_args = 0.., require_equals = true, value_delimiter = ',', default_missing_values = ["no-shadows", "no-culling", "no-keeping"])]
     pub baselines: Vec<BaselineArg>,
     /// Write JSON to a file, or to stdout as `-`
     #[arg(long, value_name = "FILE")]

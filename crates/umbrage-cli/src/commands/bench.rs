@@ -11,7 +11,7 @@ use umbrage_lab::{Milliseconds, Shot};
 use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
-use self::batch::{Timed, Way};
+use self::batch::{Bench, Timed, Way};
 use crate::args::{BaselineArg, BenchArgs};
 use crate::failure::Outcome;
 use crate::{advice, output, progress, settings, world};
@@ -64,6 +64,8 @@ struct Baselines {
     no_shadows: Option<Times>,
     #[serde(skip_serializing_if = "Option::is_none")]
     no_culling: Option<Times>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_keeping: Option<Times>,
 }
 
 #[derive(Serialize)]
@@ -81,7 +83,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
     let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
-    let [shadowed, unshadowed, unculled] = timed(args, &scene, &shot, &gpu, &mut renderer)?;
+    let [shadowed, unshadowed, unculled, forgetful] = timed(args, &scene, &shot, &gpu, &mut renderer)?;
     let layout = renderer.shadows().layout();
     let report = Report {
         world: &scene.name,
@@ -99,6 +101,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
         baselines: (!args.baselines.is_empty()).then(|| Baselines {
             no_shadows: Times::of_any(&unshadowed),
             no_culling: Times::of_any(&unculled),
+            no_keeping: Times::of_any(&forgetful),
         }),
         every_frame: shadowed
             .frames
@@ -122,7 +125,7 @@ fn timed(
     shot: &Shot,
     gpu: &Gpu,
     renderer: &mut Renderer,
-) -> Outcome<[Timed; 3]> {
+) -> Outcome<[Timed; 4]> {
     let frames = args.frames as usize;
     let share = |number: usize| number as f32 / (frames.max(2) - 1) as f32;
     let mut before = along_path(shot, scene, args, 0.0)?;
@@ -131,19 +134,20 @@ fn timed(
         renderer.render(&before)?;
         bar.inc(1);
     }
-    let mut timed = [Timed::default(), Timed::default(), Timed::default()];
+    let mut timed = [(); 4].map(|()| Timed::default());
     let has = |baseline| args.baselines.contains(&baseline);
     let ways = [
         (Way::Shadowed, true),
         (Way::Unshadowed, has(BaselineArg::NoShadows)),
         (Way::Unculled, has(BaselineArg::NoCulling)),
+        (Way::Forgetful, has(BaselineArg::NoKeeping)),
     ];
     for start in (0..frames).step_by(BATCH) {
         let numbers = start..frames.min(start + BATCH);
         let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
         let batch = batch.collect::<Outcome<Vec<_>>>()?;
         for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
-            timed.add(renderer, gpu, *way, &before, &batch)?;
+            timed.add(Bench { renderer, gpu, keeps: !args.redraw }, *way, &before, &batch)?;
         }
         bar.inc(batch.len() as u64);
         before = batch.into_iter().last().unwrap_or(before);
@@ -196,7 +200,7 @@ fn text(report: &Report<'_>) -> String {
         text += &format!("light {light} split {split}: {draws} draws, {triangles} triangles\n");
     }
     let with = &report.milliseconds;
-    let Some(Baselines { no_shadows, no_culling }) = &report.baselines else { return text };
+    let Some(Baselines { no_shadows, no_culling, no_keeping }) = &report.baselines else { return text };
     if let Some(without) = no_shadows {
         let ratio = with.frame_mean / without.frame_mean;
         text += &format!("without shadows\n{}", table(without));
@@ -206,6 +210,11 @@ fn text(report: &Report<'_>) -> String {
         let ratio = with.stages.casters.median / unculled.stages.casters.median;
         text += &format!("without culling parts\n{}", table(unculled));
         text += &format!("casters take {ratio:.2} times as long with culling\n");
+    }
+    if let Some(anew) = no_keeping {
+        let ratio = with.stages.casters.median / anew.stages.casters.median;
+        text += &format!("with every map drawn anew\n{}", table(anew));
+        text += &format!("casters take {ratio:.3} times as long where tiles are kept\n");
     }
     text
 }

@@ -44,7 +44,7 @@ fn everything_is_a_draw_a_mesh_when_materials_go_together() {
     let scene = scene();
     let mut lists = DrawLists::default();
     PartTable::new(&scene).add_casters(&mut lists, None);
-    PartTable::new(&scene).add_seen(&mut lists, &everywhere());
+    PartTable::new(&scene).add_seen(&mut lists, &everywhere(), Vec3::ZERO);
     let triangles = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
     assert_eq!((lists.view(0).len(), triangles(0)), (2, 8192 + 16));
     assert_eq!(lists.view(1), [], "nothing moves");
@@ -70,7 +70,7 @@ fn what_casts_nothing_is_seen_and_drawn_into_no_map_and_skies_are_not_planned_fo
         let mut lists = DrawLists::default();
         let table = PartTable::new(scene);
         table.add_casters(&mut lists, None);
-        table.add_seen(&mut lists, &everywhere());
+        table.add_seen(&mut lists, &everywhere(), Vec3::ZERO);
         let of = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
         (of(0), of(2), table.bounds().objects().iter().filter(|aabb| !aabb.is_empty()).count())
     };
@@ -95,8 +95,8 @@ fn lists_that_are_made_again_take_no_more_room() {
     let mut room = || {
         lists.clear();
         table.add_casters(&mut lists, None);
-        table.add_seen(&mut lists, &before(50.0));
-        let DrawLists { instances, draws, ends, touched: _ } = &lists;
+        table.add_seen(&mut lists, &before(50.0), Vec3::ZERO);
+        let DrawLists { instances, draws, ends, touched: _, by_distance: _ } = &lists;
         let (instances, draws, ends) = (instances.as_ptr_range(), draws.as_ptr_range(), ends.as_ptr_range());
         (instances, draws, ends)
     };
@@ -134,7 +134,7 @@ fn solid_parts_come_first_and_veils_from_the_deepest_on() {
     let table = PartTable::new(&scene);
     let mut lists = DrawLists::default();
     table.add_casters(&mut lists, None);
-    table.add_seen(&mut lists, &everywhere());
+    table.add_seen(&mut lists, &everywhere(), Vec3::ZERO);
     table.add_veils(&mut lists, &everywhere(), |middle| middle.z + 0.001 * middle.x);
     let covers = |view: usize| lists.view(view).iter().map(|draw| draw.cover).collect::<Vec<_>>();
     // The four parts of the long row are one draw.

@@ -1,12 +1,12 @@
 // A receiver's view is the finest one whose map holds the whole footprint of the filter, whatever its slice. Most views that do
-// not are left out by a product with their matrix; only in what is left a receiver is looked up.
+// not are left out by a product with their matrix, and a receiver is looked up in what is left.
 
 import constants::UMBRAGE_FILTER_REACH;
 import package::frame::umbrage_frame;
 import package::light::{umbrage_face, umbrage_has_faces};
 import package::receiver::lookup::{UmbrageLookup, umbrage_lookup};
 import package::receiver::no_view::UMBRAGE_NO_VIEW;
-import package::storage::map::{umbrage_clip_from_local, umbrage_local, umbrage_tile_size};
+import package::storage::map::{umbrage_local, umbrage_may_hold, umbrage_tile_size};
 
 /// Where a receiver looks in the view of a light that serves it; the view is UMBRAGE_NO_VIEW where none does.
 fn umbrage_select(light: u32, depth: f32, world_position: vec3f, world_normal: vec3f) -> UmbrageLookup {
@@ -24,9 +24,11 @@ fn umbrage_finest(light: u32, start: u32, world_position: vec3f, world_normal: v
     // A lookup that is moved along the normal may lie in a map that does not hold its receiver.
     let looks_in_all = is_face || umbrage_frame.bias_normal > 0.0;
     var lookup: UmbrageLookup;
+    // Views of a light begin in the same place.
+    let local = umbrage_local(start, world_position);
     var i = start;
     loop {
-        while i < end && !looks_in_all && !umbrage_may_hold(i, world_position) {
+        while i < end && !looks_in_all && !umbrage_may_hold(i, local) {
             i++;
         }
         if i >= end {
@@ -40,15 +42,6 @@ fn umbrage_finest(light: u32, start: u32, world_position: vec3f, world_normal: v
         i++;
     }
     return lookup;
-}
-
-/// Whether a view may hold a receiver where the bias moves no lookup but toward the light: `false` only where
-/// `umbrage_holds` says so too. A hundred thousandth of the map is more than both can round.
-fn umbrage_may_hold(view_index: u32, world_position: vec3f) -> bool {
-    let local = umbrage_local(view_index, world_position);
-    let clip = umbrage_clip_from_local(view_index) * vec4f(local, 1.0);
-    let reach = 1.00001 - 2.0 * UMBRAGE_FILTER_REACH / umbrage_tile_size(view_index);
-    return max(abs(clip.x), abs(clip.y)) <= reach * clip.w;
 }
 
 /// Whether a view's map holds the whole footprint of a filter that looks there.

@@ -11,15 +11,16 @@ fn add(
     table: &PartTable,
     lists: &mut DrawLists,
     volume: &ConvexVolume,
-    is_wanted: impl Fn(&PartRow) -> bool,
+    is_wanted: impl Fn(&PartRow, u32) -> bool,
     may_join: impl Fn(&Draw, &PartRow) -> bool,
 ) {
     let first = lists.draws.len();
-    for (i, _) in table.parts.iter().enumerate().filter(|(_, part)| is_wanted(part)) {
+    for (i, part) in table.parts.iter().enumerate() {
         let start = lists.instances.len();
         for (number, slot) in (0..).zip(&table.slots).filter(|(_, slot)| slot.part as usize == i) {
             let aabb = table.aabb(number);
-            if !aabb.is_empty() && volume.may_touch_box(&aabb) {
+            let is_wanted = is_wanted(part, slot.instance);
+            if is_wanted && !aabb.is_empty() && volume.may_touch_box(&aabb) {
                 lists.instances.push(slot.instance);
             }
         }
@@ -27,6 +28,27 @@ fn add(
             table.close(i as u32, start, first, &mut lists.instances, &mut lists.draws, &may_join);
         }
     }
+    lists.ends.push(lists.draws.len());
+}
+
+/// What is seen, without a tree.
+fn add_seen(table: &PartTable, lists: &mut DrawLists, volume: &ConvexVolume, eye: Vec3) {
+    let mut seen = Vec::new();
+    for (i, part) in table.parts.iter().enumerate().filter(|(_, part)| part.cover != Cover::Veil) {
+        let slots = (0..).zip(&table.slots).filter(|(_, slot)| slot.part as usize == i);
+        let boxes = slots.map(|(number, slot)| (table.aabb(number), slot.instance));
+        let touching = boxes.filter(|(aabb, _)| !aabb.is_empty() && volume.may_touch_box(aabb));
+        let mut near: Vec<(f32, u32)> =
+            touching.map(|(aabb, instance)| (PartTable::distance(part, &aabb, eye), instance)).collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let start = lists.instances.len() as u32;
+        lists.instances.extend(near.iter().map(|(_, instance)| *instance));
+        if let Some((depth, _)) = near.first() {
+            seen.push(Draw { depth: *depth, ..part.draw(start..start + near.len() as u32) });
+        }
+    }
+    seen.sort_by(|a, b| (a.cover, a.depth).partial_cmp(&(b.cover, b.depth)).expect("numbers"));
+    lists.draws.append(&mut seen);
     lists.ends.push(lists.draws.len());
 }
 
@@ -107,12 +129,14 @@ proptest! {
         let depth = |middle: Vec3| middle.z;
         for volume in volumes.iter().chain([&ConvexVolume::default(), &ConvexVolume::empty()]) {
             table.add_casters(&mut lists, Some(volume));
-            add(&table, &mut all, volume, |part| part.casts, |last, part| {
-                part.cover == Cover::Solid || last.material == part.material
-            });
-            table.add_seen(&mut lists, volume);
-            let is_seen = |part: &PartRow| part.cover != Cover::Veil;
-            add(&table, &mut all, volume, is_seen, |last, part| last.material == part.material);
+            for moving in [false, true] {
+                let is_wanted = |part: &PartRow, instance| part.casts && table.moves(instance) == moving;
+                add(&table, &mut all, volume, is_wanted, |last, part| {
+                    part.cover == Cover::Solid || last.material == part.material
+                });
+            }
+            table.add_seen(&mut lists, volume, Vec3::X);
+            add_seen(&table, &mut all, volume, Vec3::X);
             table.add_veils(&mut lists, volume, depth);
             add_veils(&table, &mut all, volume, depth);
         }
