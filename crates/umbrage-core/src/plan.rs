@@ -25,7 +25,7 @@ use crate::receivers::{Asked, Receivers, ViewInput};
 use crate::rectangle::Rectangle;
 use crate::samples::{ChosenRectangle, SampleRegion};
 use crate::settings::{MAX_LIGHTS, Select, Settings};
-use crate::split::{Splits, split_distances, spot_splits};
+use crate::split::{Splits, distances_within, split_distances, spot_splits};
 use crate::view::ShadowView;
 use crate::view_key::ViewKey;
 use crate::warp::Warp;
@@ -41,6 +41,8 @@ pub struct ShadowPlan {
     lights: Vec<Light>,
     allocation: Allocation,
     splits: Splits,
+    /// Between which view depths something is seen, metres.
+    seen: Option<Range<f32>>,
     views: Vec<ShadowView>,
     /// Room to fit in.
     outline: Outline,
@@ -65,6 +67,7 @@ pub fn plan(
         lights: Vec::new(),
         allocation: Allocation::new(settings, &[])?,
         splits: Splits::default(),
+        seen: None,
         views: Vec::new(),
         outline: Outline::default(),
     };
@@ -94,7 +97,13 @@ impl ShadowPlan {
             self.settings.clone_from(settings);
         }
         self.camera = *camera;
-        self.splits = split_distances(depths.clone(), settings);
+        self.splits = match self.seen.clone().filter(|_| settings.fit == Fit::Sample) {
+            Some(seen) => {
+                let seen = f64::from(seen.start)..f64::from(seen.end);
+                distances_within(depths.clone(), seen, settings)
+            }
+            None => split_distances(depths.clone(), settings),
+        };
         self.lights.clear();
         self.lights.extend_from_slice(lights);
         self.views.clear();
@@ -105,6 +114,13 @@ impl ShadowPlan {
             self.add_light(&frame, index, light, depths.clone());
         }
         Ok(())
+    }
+
+    /// Says between which view depths something is seen, metres, for the plans that are made after this: under [`Fit::Sample`]
+    /// the inner cuts are placed there. All view depths have shadows whatever is said, so an old answer costs texels and no shadow.
+    /// `None` until then.
+    pub fn see(&mut self, depths: Option<Range<f32>>) {
+        self.seen = depths;
     }
 
     /// The views of one light over these view depths.

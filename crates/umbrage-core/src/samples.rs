@@ -17,8 +17,8 @@ use crate::rotation::{Rotation, STEPS_OF_SAMPLES, direction_of_steps, steps_of_d
 use crate::space::LightSpace;
 
 /// How many sides there are between one side of a rectangle and its double, from which a pass chooses: sides are 2^(n / this)
-/// metres long, for whole n. A side is then longer than it must be by 9 % at most.
-pub const RUNGS_AN_OCTAVE: u32 = 8;
+/// metres long, for whole n. A side is then longer than it must be by 4 % at most.
+pub const RUNGS_AN_OCTAVE: u32 = 16;
 
 /// The region that a pass may choose a view's rectangle in.
 #[derive(Clone, Debug, PartialEq)]

@@ -54,7 +54,7 @@ fn umbrage_turn(view: u32, before: u32) -> u32 {
 
 /// Writes what the frame says of a view that covers a chosen rectangle.
 fn umbrage_write_view(view: u32, choice: UmbrageChoice, right: vec3f, up: vec3f) {
-    let tile_size = umbrage_frame.views[view].tile_size;
+    let tile_size = umbrage_frame.views[view].tile.z;
     let scale = 2.0 / vec2f(umbrage_side(choice.x), umbrage_side(choice.y));
     let middle = vec2f(choice.x.phase + f32(choice.x.index), choice.y.phase + f32(choice.y.index));
     var m = umbrage_frame.views[view].clip_from_local;
@@ -63,6 +63,8 @@ fn umbrage_write_view(view: u32, choice: UmbrageChoice, right: vec3f, up: vec3f)
     }
     m[3] = vec4f(middle * (-2.0 / tile_size), m[3].zw);
     umbrage_frame.views[view].clip_from_local = m;
+    umbrage_frame.views[view].held_x = vec4f(right * scale.x, m[3].x);
+    umbrage_frame.views[view].held_y = vec4f(up * scale.y, m[3].y);
     let texels = vec2i(choice.x.index + choice.x.base, -choice.y.index - choice.y.base);
     umbrage_frame.views[view].lattice = bitcast<vec2u>(texels - vec2i(i32(tile_size) / 2));
 }
@@ -80,7 +82,7 @@ fn umbrage_choose(view: u32) {
     let right = umbrage_looks.views[view].rights[turn];
     let up = umbrage_looks.views[view].ups[turn];
     let moved = vec2f(dot(right, umbrage_looks.moved), dot(up, umbrage_looks.moved));
-    let tile_size = umbrage_frame.views[view].tile_size;
+    let tile_size = umbrage_frame.views[view].tile.z;
     let wanted = umbrage_wanted(view, turn);
     choice.turn = number;
     choice.x = umbrage_axis(choice.x, is_kept, wanted[0], moved.x, tile_size);

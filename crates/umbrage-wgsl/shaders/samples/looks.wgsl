@@ -66,7 +66,7 @@ struct UmbrageChoices {
 @group(0) @binding(3) var<storage, read_write> umbrage_choices: UmbrageChoices;
 
 const UMBRAGE_SEEN: u32 = 14u;
-const UMBRAGE_RUNGS_AN_OCTAVE: i32 = 8;
+const UMBRAGE_RUNGS_AN_OCTAVE: i32 = 16;
 
 /// Whole numbers above 0 that lie in order as their floats do.
 fn umbrage_key(number: f32) -> u32 {
