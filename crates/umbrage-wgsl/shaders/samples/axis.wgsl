@@ -4,6 +4,8 @@ import package::samples::looks::{UMBRAGE_RUNGS_AN_OCTAVE, UmbrageAxis};
 
 /// For so many frames a side is too long before it shrinks: half a second.
 const UMBRAGE_LATE: u32 = 30u;
+/// How many rungs more than it wants a side gets when it grows or shrinks.
+const UMBRAGE_SPARE: i32 = 1;
 /// The rasteriser rounds corners to this share of a texel.
 const UMBRAGE_PHASES: f32 = 256.0;
 /// A rung below all others.
@@ -47,13 +49,15 @@ fn umbrage_moved(before: UmbrageAxis, moved: f32, texel: f32) -> UmbrageAxis {
 fn umbrage_axis(before: UmbrageAxis, is_kept: bool, wanted: UmbrageWanted, moved: f32, tile_size: f32) -> UmbrageAxis {
     let rungs = umbrage_rungs(wanted);
     let is_cut = !is_kept || rungs.x < before.rung - UMBRAGE_RUNGS_AN_OCTAVE;
-    var rung = select(max(before.rung, rungs.x), rungs.x, is_cut);
+    // What changes may go on changing, so it is given a rung more than it wants.
+    let grown = select(before.rung, rungs.x + UMBRAGE_SPARE, rungs.x > before.rung);
+    var rung = select(grown, rungs.x, is_cut);
     var late = 0u;
     var late_rung = UMBRAGE_NO_RUNG;
-    if rungs.x < rung - 1 {
+    if rungs.x < rung - UMBRAGE_SPARE - 1 {
         late = before.late + 1u;
         late_rung = max(before.late_rung, rungs.x);
-        rung = select(rung, late_rung, late >= UMBRAGE_LATE);
+        rung = select(rung, late_rung + UMBRAGE_SPARE, late >= UMBRAGE_LATE);
     }
     rung = min(rung, rungs.y);
     let is_new = is_cut || rung != before.rung;

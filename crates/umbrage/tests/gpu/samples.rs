@@ -211,7 +211,7 @@ fn a_camera_that_walks_moves_maps_by_whole_texels() {
         // The origin moves half-way, and what is drawn is relative to another one then.
         let origin = DVec3::X * if step < 4 { 0.0 } else { 16.0 };
         host.world = world().iter().map(|t| t.map(|p| p - origin.as_vec3())).collect();
-        let relative = eye(0.4 * step as f32).relative_to(origin);
+        let relative = eye(0.1 * step as f32).relative_to(origin);
         let [_, plan] = host.frame(&relative, origin);
         for (view, old) in plan.views().iter().zip(before.iter().flat_map(ShadowPlan::views)) {
             let ((sizes, middle), (sizes_before, middle_before)) = (texels(view), texels(old));
