@@ -41,8 +41,8 @@ pub enum Command {
     ///
     /// Frames are handed over as a window does, at most two in flight, without timestamps; a frame's time is the mean over
     /// the run, and its spread that of batches of six. Stages are timed in a second drawing of the same frames,
-    /// each waited for: timestamps keep passes from overlapping, most of all on a software device, so that stages may add
-    /// up to more than a frame.
+    /// each waited for: a device may not let passes overlap between which it takes the time, so that stages may add up to
+    /// more than a frame.
     Bench(BenchArgs),
     /// Opens a window on a world: its shadows, every setting while it runs, and how wrong each pixel is
     View(ViewArgs),

@@ -161,7 +161,6 @@ fn bench_json_has_the_keys_that_scripts_rely_on() {
         "1",
         "--size",
         "64x36",
-        "--redraw",
         "--baselines=no-shadows",
     ]);
     assert!(one["baselines"]["no_shadows"].is_object() && one["baselines"]["no_culling"].is_null(), "{one}");

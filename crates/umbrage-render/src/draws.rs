@@ -3,12 +3,14 @@
 //! The unit is (instance, part). Their boxes are in one tree, which plans and lists are made from; it is refitted where a pose
 //! moves something. Today the lists are made here, on the CPU; whoever moves them to the GPU moves this file.
 
+mod listing;
 mod lists;
+mod nearest_first;
 mod parts;
+mod reach;
 mod touched;
 
-use glam::Vec3;
-use umbrage::{Aabb, Bounds, ConvexVolume};
+use umbrage::{Aabb, Bounds};
 use umbrage_scene::{Instance, Pose, Scene};
 
 pub use lists::{Draw, DrawLists};
@@ -16,6 +18,7 @@ pub use lists::{Draw, DrawLists};
 use crate::cover::Cover;
 use crate::posed::Posed;
 use parts::{PartRow, Slot};
+use reach::Reach;
 
 /// What no pose has moved for so many moves of other things stands.
 const STANDS_AFTER: u64 = 60;
@@ -29,7 +32,8 @@ pub struct PartTable {
     slots_of_instances: Vec<u32>,
     /// Where those of each instance begin, and where the last end.
     firsts: Vec<u32>,
-    /// The boxes of all slots, which is what is planned for: those of skies hold nothing.
+    /// The boxes of all slots, which is what is planned for: those of skies hold nothing. Of what moves they are its
+    /// [reach](Reach), so that a plan need not change while it goes to and fro.
     bounds: Bounds,
     /// The boxes of skies, and the numbers of their slots, in order.
     skies: Bounds,
@@ -40,6 +44,8 @@ pub struct PartTable {
     moves: u64,
     /// The last of these that moved each instance; 0 where none did.
     epochs: Vec<u64>,
+    /// The room that each slot takes, once something has moved.
+    reaches: Vec<Reach>,
 }
 
 impl PartTable {
@@ -69,6 +75,7 @@ impl PartTable {
             posed,
             moves: 0,
             epochs: vec![0; scene.instances.len()],
+            reaches: Vec::new(),
         }
     }
 
@@ -108,8 +115,11 @@ impl PartTable {
 
     /// Makes the boxes of what the pose moved.
     fn place(&mut self) {
+        if self.reaches.is_empty() {
+            self.reaches = (0..self.slots.len() as u32).map(|number| Reach::of(self.aabb(number))).collect();
+        }
         let Self { parts, slots, slots_of_instances, firsts, bounds, skies, sky_slots, .. } = self;
-        let Self { posed, moves, epochs, .. } = self;
+        let Self { posed, moves, epochs, reaches, .. } = self;
         for part in parts.iter_mut() {
             if let Some((shape, number)) = part.bent.filter(|(shape, _)| posed.bent[*shape]) {
                 part.local = posed.local(shape, number);
@@ -124,12 +134,15 @@ impl PartTable {
         });
         let moved = moved.map(|number| (*number, slots[*number as usize]));
         let of_sky = |slot: &Slot| parts[slot.part as usize].is_sky;
-        let boxed = |number: usize, slot: Slot| (number, aabb(parts, posed, slot));
-        bounds.set(moved.clone().filter(|(_, slot)| !of_sky(slot)).map(|(i, slot)| boxed(i as usize, slot)));
+        for (number, slot) in moved.clone() {
+            reaches[number as usize].move_to(aabb(parts, posed, slot), *moves);
+        }
+        let reach = |number: u32| reaches[number as usize].aabb;
+        bounds.set(moved.clone().filter(|(_, slot)| !of_sky(slot)).map(|(i, _)| (i as usize, reach(i))));
         if !sky_slots.is_empty() {
             let skies_moved = moved.filter(|(_, slot)| of_sky(slot));
             let place = |number: &u32| sky_slots.binary_search(number).ok();
-            skies.set(skies_moved.filter_map(|(number, slot)| Some(boxed(place(&number)?, slot))));
+            skies.set(skies_moved.filter_map(|(number, _)| Some((place(&number)?, reach(number)))));
         }
     }
 
@@ -151,171 +164,12 @@ impl PartTable {
         epoch > 0 && self.moves - epoch < STANDS_AFTER
     }
 
-    /// Appends two lists of draws of everything that casts shadows and may touch `volume`, or of all that casts where that is
-    /// `None`: first of what stands, then of what [moves](Self::moves). Solid parts join whatever their materials are, since
-    /// only their depth is drawn.
-    pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
-        let joins =
-            |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
-        let everything = ConvexVolume::default();
-        let volume = volume.unwrap_or(&everything);
-        let wanted = |moving| move |part: &PartRow, instance| part.casts && self.moves(instance) == moving;
-        self.add(lists, volume, wanted(false), joins);
-        if self.moves > 0 {
-            self.add(lists, volume, wanted(true), joins);
-        } else {
-            lists.ends.push(lists.draws.len());
-        }
-    }
-
-    /// Appends the draws of everything but veils that may touch `volume`, one a part, solid ones first, and then those first that
-    /// come nearest to `eye`: what lies behind them is not shaded then.
-    pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume, eye: Vec3) {
-        let DrawLists { instances, draws, ends, touched, by_distance } = lists;
-        let first = draws.len();
-        self.touch(touched, volume);
-        let mut open = None;
-        touched.drain(|number| {
-            let Slot { part, instance } = self.slots[number as usize];
-            let row = &self.parts[part as usize];
-            if row.cover == Cover::Veil {
-                return;
-            }
-            if open != Some(part) {
-                self.close_seen(open, by_distance, instances, draws);
-                open = Some(part);
-            }
-            by_distance.push((Self::distance(row, &self.aabb(number), eye), instance));
-        });
-        self.close_seen(open, by_distance, instances, draws);
-        draws[first..].sort_unstable_by(|a, b| {
-            let order = a.cover.cmp(&b.cover).then(a.depth.total_cmp(&b.depth));
-            order.then(a.instances.start.cmp(&b.instances.start))
-        });
-        ends.push(draws.len());
-    }
-
-    /// The square of the distance of a part's box from the eye, square metres: 0 within the box, and endless of skies, which lie
-    /// behind everything.
-    fn distance(part: &PartRow, aabb: &Aabb, eye: Vec3) -> f32 {
-        if part.is_sky { f32::MAX } else { (eye - eye.clamp(aabb.min, aabb.max)).length_squared() }
-    }
-
-    /// Appends the draw of a part, with its instances from the nearest on.
-    fn close_seen(
-        &self,
-        part: Option<u32>,
-        by_distance: &mut Vec<(f32, u32)>,
-        instances: &mut Vec<u32>,
-        draws: &mut Vec<Draw>,
-    ) {
-        let Some(part) = part else { return };
-        by_distance.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let (start, depth) = (instances.len(), by_distance.first().map_or(0.0, |(nearest, _)| *nearest));
-        instances.extend(by_distance.drain(..).map(|(_, instance)| instance));
-        let draw = self.parts[part as usize].draw(start as u32..instances.len() as u32);
-        draws.push(Draw { depth, ..draw });
-    }
-
-    /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
-    pub fn add_veils(&self, lists: &mut DrawLists, volume: &ConvexVolume, depth: impl Fn(Vec3) -> f32) {
-        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
-        let first = draws.len();
-        if self.parts.last().is_some_and(|part| part.cover == Cover::Veil) {
-            self.touch(touched, volume);
-            touched.drain(|number| {
-                let Slot { part, instance } = self.slots[number as usize];
-                let part = &self.parts[part as usize];
-                if part.cover == Cover::Veil {
-                    let aabb = self.aabb(number);
-                    let place = instances.len() as u32;
-                    instances.push(instance);
-                    draws.push(Draw {
-                        depth: depth(0.5 * (aabb.min + aabb.max)),
-                        ..part.draw(place..place + 1)
-                    });
-                }
-            });
-            // No two are equal, so that the order is always the same.
-            let key = |draw: &Draw| draw.instances.start;
-            draws[first..].sort_unstable_by(|a, b| b.depth.total_cmp(&a.depth).then(key(a).cmp(&key(b))));
-        }
-        ends.push(draws.len());
-    }
-
     /// The box of a slot.
     fn aabb(&self, number: u32) -> Aabb {
         match self.sky_slots.binary_search(&number) {
             Ok(sky) => self.skies.objects()[sky],
             Err(_) => self.bounds.objects()[number as usize],
         }
-    }
-
-    /// Finds the slots whose boxes may touch a volume.
-    fn touch(&self, touched: &mut touched::Touched, volume: &ConvexVolume) {
-        touched.make_room(self.slots.len());
-        self.bounds.touching(volume, |number| touched.insert(number));
-        self.skies.touching(volume, |sky| touched.insert(self.sky_slots[sky as usize]));
-    }
-
-    /// Appends the draws of wanted parts that may touch a volume. A part that follows the last draw, on the same instances,
-    /// joins it where it may.
-    fn add(
-        &self,
-        lists: &mut DrawLists,
-        volume: &ConvexVolume,
-        is_wanted: impl Fn(&PartRow, u32) -> bool,
-        may_join: impl Fn(&Draw, &PartRow) -> bool,
-    ) {
-        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
-        let first = draws.len();
-        self.touch(touched, volume);
-        // The part whose instances are being listed.
-        let (mut open, mut start) = (None, 0);
-        touched.drain(|number| {
-            let Slot { part, instance } = self.slots[number as usize];
-            let row = &self.parts[part as usize];
-            if !is_wanted(row, instance) {
-                return;
-            }
-            if open != Some(part) {
-                if let Some(open) = open {
-                    self.close(open, start, first, instances, draws, &may_join);
-                }
-                (open, start) = (Some(part), instances.len());
-            }
-            instances.push(instance);
-        });
-        if let Some(open) = open {
-            self.close(open, start, first, instances, draws, &may_join);
-        }
-        ends.push(draws.len());
-    }
-
-    /// Appends the draw of a part whose instances are listed from `start` on, or joins it to the last of the view's draws,
-    /// which begin at `first`.
-    fn close(
-        &self,
-        part: u32,
-        start: usize,
-        first: usize,
-        instances: &mut Vec<u32>,
-        draws: &mut Vec<Draw>,
-        may_join: impl Fn(&Draw, &PartRow) -> bool,
-    ) {
-        let part = &self.parts[part as usize];
-        if let Some(last) = draws[first..].last_mut() {
-            let follows = last.indices.end == part.indices.start
-                && last.base_vertex == part.base_vertex
-                && last.cover == part.cover;
-            let before = last.instances.start as usize..last.instances.end as usize;
-            if follows && may_join(last, part) && instances[before] == instances[start..] {
-                last.indices.end = part.indices.end;
-                instances.truncate(start);
-                return;
-            }
-        }
-        draws.push(part.draw(start as u32..instances.len() as u32));
     }
 }
 

@@ -11,6 +11,8 @@ use umbrage_render::{Frame, Gpu, Renderer, Show};
 use umbrage_scene::{Camera, Light, Scene, worlds};
 
 const SIZE: [u32; 2] = [160, 90];
+/// A window that is turned.
+const TURNED: [u32; 2] = [90, 160];
 
 /// A walk that stands still about half of the time, in the camera, in time, and in the lights, each by itself.
 struct Walk {
@@ -18,12 +20,19 @@ struct Walk {
     camera: Camera,
     lights: Vec<Light>,
     seconds: f32,
+    size: [u32; 2],
 }
 
 impl Walk {
     fn new(scene: &Scene) -> Self {
         let random = Pcg64Mcg::new(0xcafe_f00d);
-        Self { random, camera: scene.cameras[0].clone(), lights: scene.lights.clone(), seconds: 0.0 }
+        Self {
+            random,
+            camera: scene.cameras[0].clone(),
+            lights: scene.lights.clone(),
+            seconds: 0.0,
+            size: SIZE,
+        }
     }
 
     fn dice(&mut self, sides: u32) -> u32 {
@@ -31,7 +40,7 @@ impl Walk {
     }
 
     fn next(&mut self, scene: &Scene) -> Frame {
-        match self.dice(6) {
+        match self.dice(7) {
             0 => {
                 let step = Vec3::new(self.dice(5) as f32 - 2.0, 0.0, self.dice(5) as f32 - 2.0);
                 self.camera.world_from_camera.w_axis += step.extend(0.0);
@@ -44,10 +53,11 @@ impl Walk {
                     .iter_mut()
                     .for_each(|light| light.world_from_light = turn * light.world_from_light);
             }
+            5 => self.size = if self.size == SIZE { TURNED } else { SIZE },
             _ => {}
         }
         let pose = Arc::new(scene.pose(self.seconds));
-        Frame::of(&self.camera, &self.lights, &pose, SIZE, Show::Visibility(0)).expect("a frame")
+        Frame::of(&self.camera, &self.lights, &pose, self.size, Show::Visibility(0)).expect("a frame")
     }
 }
 

@@ -90,7 +90,7 @@ fn main() -> anyhow::Result<()> {
         peer.write_pictures(folder)?;
     }
     let report = json!({
-        "peer": "bevy",
+        "peer": "Bevy",
         "version": "0.19.1",
         "adapter": peer.adapter(),
         "triangles": peer.triangles(),

@@ -59,7 +59,7 @@ impl Views {
         let of_world = || self.lights.iter().find(|light| light.kind == "sun")?.direction.map(Vec3::from);
         let direction =
             wanted.or_else(of_world).context("the world has no sun; give one with --sun X,Y,Z")?;
-        Ok(direction.normalize())
+        Ok(direction.normalize_or(Vec3::NEG_Y))
     }
 }
 

@@ -80,15 +80,18 @@ pub enum MotionArg {
     SubTexel,
 }
 
-/// What frames are compared with.
+/// What frames are drawn without, to be compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum BaselineArg {
     /// No shadows
-    NoShadows,
+    #[value(name = "no-shadows")]
+    Shadows,
     /// Every part of the world drawn into every shadow map
-    NoCulling,
+    #[value(name = "no-culling")]
+    Culling,
     /// Every shadow map drawn anew, whatever it shows already
-    NoKeeping,
+    #[value(name = "no-keeping")]
+    Keeping,
 }
 
 #[derive(Debug, Args)]
@@ -120,9 +123,6 @@ pub struct BenchArgs {
     /// Samples a pixel, 1 or 4
     #[arg(long, default_value_t = 1, value_parser = clap::builder::PossibleValuesParser::new(["1", "4"]).map(|s| if s == "4" { 4u32 } else { 1 }))]
     pub samples: u32,
-    /// Draw every shadow map anew each frame, also those that show already what they should
-    #[arg(long)]
-    pub redraw: bool,
     /// Draw each frame otherwise too: without shadows, with every part of the world drawn into every shadow map, with every map
     /// drawn anew whatever it shows already, or all three
     #[arg(long, value_enum, value_name = "WAYS", num_args = 0.., require_equals = true, value_delimiter = ',', default_missing_values = ["no-shadows", "no-culling", "no-keeping"])]

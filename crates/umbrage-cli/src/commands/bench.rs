@@ -138,16 +138,16 @@ fn timed(
     let has = |baseline| args.baselines.contains(&baseline);
     let ways = [
         (Way::Shadowed, true),
-        (Way::Unshadowed, has(BaselineArg::NoShadows)),
-        (Way::Unculled, has(BaselineArg::NoCulling)),
-        (Way::Forgetful, has(BaselineArg::NoKeeping)),
+        (Way::Unshadowed, has(BaselineArg::Shadows)),
+        (Way::Unculled, has(BaselineArg::Culling)),
+        (Way::Forgetful, has(BaselineArg::Keeping)),
     ];
     for start in (0..frames).step_by(BATCH) {
         let numbers = start..frames.min(start + BATCH);
         let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
         let batch = batch.collect::<Outcome<Vec<_>>>()?;
         for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
-            timed.add(Bench { renderer, gpu, keeps: !args.redraw }, *way, &before, &batch)?;
+            timed.add(Bench { renderer, gpu }, *way, &before, &batch)?;
         }
         bar.inc(batch.len() as u64);
         before = batch.into_iter().last().unwrap_or(before);

@@ -17,13 +17,16 @@ impl Touched {
         self.words[(number / u64::BITS) as usize] |= 1 << (number % u64::BITS);
     }
 
-    /// Gives all numbers in order, and removes them.
-    pub fn drain(&mut self, mut each: impl FnMut(u32)) {
+    /// Gives all numbers in order, and removes those that are taken: of which `takes` says so.
+    pub fn take(&mut self, mut takes: impl FnMut(u32) -> bool) {
         for (first, word) in (0..).step_by(u64::BITS as usize).zip(&mut self.words) {
-            let mut left = std::mem::take(word);
+            let mut left = *word;
             while left != 0 {
-                each(first + left.trailing_zeros());
+                let bit = left.trailing_zeros();
                 left &= left - 1;
+                if takes(first + bit) {
+                    *word &= !(1 << bit);
+                }
             }
         }
     }
@@ -34,16 +37,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_come_in_order_and_once() {
+    fn numbers_come_in_order_until_they_are_taken() {
         let mut touched = Touched::default();
         touched.make_room(200);
         [199, 0, 64, 63, 64, 128].into_iter().for_each(|number| touched.insert(number));
-        let mut all = || {
+        let mut all = |taken: fn(u32) -> bool| {
             let mut all: Vec<u32> = Vec::new();
-            touched.drain(|number| all.push(number));
+            touched.take(|number| {
+                all.push(number);
+                taken(number)
+            });
             all
         };
-        assert_eq!(all(), [0, 63, 64, 128, 199]);
-        assert!(all().is_empty());
+        assert_eq!(all(|number| number == 64), [0, 63, 64, 128, 199]);
+        assert_eq!(all(|_| true), [0, 63, 128, 199]);
+        assert!(all(|_| true).is_empty());
     }
 }

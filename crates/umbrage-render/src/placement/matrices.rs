@@ -153,7 +153,7 @@ mod tests {
         let mut matrices = Matrices::new(&all);
         let mut buffer = Buffer::of(&matrices);
         assert_eq!(buffer.bytes(&mut matrices, &all, DVec3::ZERO, 1.0), 4 * MATRIX_BYTES);
-        assert_eq!(buffer.runs, [1..5], "what lies between is written as it is");
+        assert_eq!(buffer.runs, vec![1..5; 1], "what lies between is written as it is");
     }
 
     #[test]

@@ -7,6 +7,7 @@ mod common;
 mod dither;
 mod examples;
 mod filters;
+mod kept;
 mod lamps;
 mod layers;
 mod lookup;

@@ -1,9 +1,9 @@
 //! How a batch of frames is timed: as a window draws them, and then pass by pass.
 //!
 //! A window hands frames over and does not wait for them, so that the CPU plans one while the device draws another; what
-//! a frame costs is then the time between two that are done, and only the mean over some of them is steady. Timestamps keep
-//! passes from overlapping, on a software device more than on others, so they are off meanwhile. A second time
-//! the same frames are drawn with timestamps, each waited for.
+//! a frame costs is then the time between two that are done, and only the mean over some of them is steady. A device may not
+//! let passes overlap between which it takes the time, so timestamps are off meanwhile. A second time the same frames
+//! are drawn with timestamps, each waited for.
 
 use std::time::Instant;
 
@@ -40,8 +40,6 @@ pub struct Timed {
 pub struct Bench<'a> {
     pub renderer: &'a mut Renderer,
     pub gpu: &'a Gpu,
-    /// Whether maps are kept that show already what they should.
-    pub keeps: bool,
 }
 
 impl Timed {
@@ -56,7 +54,7 @@ impl Timed {
     ) -> Result<(), RenderError> {
         let [before, batch] = [std::slice::from_ref(before), batch].map(|frames| way.frames(frames));
         bench.renderer.cull_parts = way != Way::Unculled;
-        bench.renderer.keep_tiles = bench.keeps && way != Way::Forgetful;
+        bench.renderer.keep_tiles = way != Way::Forgetful;
         let between = bench.pipelined(&before[0], &batch)?;
         bench.renderer.render(&before[0])?;
         for (frame, between) in batch.iter().zip(&between) {

@@ -19,8 +19,7 @@ fn add(
         let start = lists.instances.len();
         for (number, slot) in (0..).zip(&table.slots).filter(|(_, slot)| slot.part as usize == i) {
             let aabb = table.aabb(number);
-            let is_wanted = is_wanted(part, slot.instance);
-            if is_wanted && !aabb.is_empty() && volume.may_touch_box(&aabb) {
+            if is_wanted(part, slot.instance) && !aabb.is_empty() && volume.may_touch_box(&aabb) {
                 lists.instances.push(slot.instance);
             }
         }
@@ -39,7 +38,7 @@ fn add_seen(table: &PartTable, lists: &mut DrawLists, volume: &ConvexVolume, eye
         let boxes = slots.map(|(number, slot)| (table.aabb(number), slot.instance));
         let touching = boxes.filter(|(aabb, _)| !aabb.is_empty() && volume.may_touch_box(aabb));
         let mut near: Vec<(f32, u32)> =
-            touching.map(|(aabb, instance)| (PartTable::distance(part, &aabb, eye), instance)).collect();
+            touching.map(|(aabb, instance)| (nearest_first::distance(part, &aabb, eye), instance)).collect();
         near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let start = lists.instances.len() as u32;
         lists.instances.extend(near.iter().map(|(_, instance)| *instance));
