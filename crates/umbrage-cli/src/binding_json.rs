@@ -20,6 +20,8 @@ pub struct BindingJson {
 enum Kind {
     /// A storage buffer that is only read.
     Storage,
+    /// A storage buffer that is read and written.
+    WrittenStorage,
     Uniform {
         has_dynamic_offset: bool,
     },
@@ -46,6 +48,7 @@ impl From<&Binding> for BindingJson {
 fn kind_of(kind: BindingKind) -> Kind {
     match kind {
         BindingKind::Storage => Kind::Storage,
+        BindingKind::WrittenStorage => Kind::WrittenStorage,
         BindingKind::Uniform { has_dynamic_offset } => Kind::Uniform { has_dynamic_offset },
         BindingKind::Texture { sample, dimension } => Kind::Texture {
             sample_type: match sample {

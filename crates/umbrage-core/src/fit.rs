@@ -31,6 +31,11 @@ pub enum Fit {
     /// The map is fitted to a sphere around the slice, moved by whole texels; for a spot, to its whole cone. Edges hold
     /// still under any motion of the camera.
     Stable,
+    /// The map of a sun is fitted to what the camera's depth shows of the slice (sample distribution shadow maps, Lauritzen et al.
+    /// 2011): a compute pass chooses it within the region that is planned, in [`ShadowView::samples`](crate::ShadowView::samples).
+    /// It grows at once, and shrinks late and by steps, so that edges hold still for a while. Spots and point lights are fitted as
+    /// by [`Fit::Scene`].
+    Sample,
 }
 
 /// The fits, as the schema lists them.
@@ -54,6 +59,13 @@ pub(crate) const FITS: &[Choice] = &[
                Edges hold still while the camera moves, and texels are coarser.",
         source: "Valient 2008",
     },
+    Choice {
+        name: "sample",
+        label: "sample",
+        help: "What the camera's depth shows of the slice, found by a compute pass: finer texels than of the scene, \
+               where much of it is hidden. Needs the camera's depth before shadows are drawn; for suns.",
+        source: "Lauritzen et al. 2011",
+    },
 ];
 
 impl Fit {
@@ -69,13 +81,14 @@ impl Fit {
                 light_extent::region(input, pyramid, receivers, Depths::OfLight)
             }
             // Faces must meet, and of a cone that nobody sees nothing else is known.
-            (LightFrustum::FromApex(pyramid), Self::Scene | Self::View)
+            (LightFrustum::FromApex(pyramid), Self::Scene | Self::View | Self::Sample)
                 if pyramid.is_face || receivers.lit_slice.is_empty() =>
             {
                 light_extent::region(input, pyramid, receivers, Depths::OfReceivers)
             }
             (LightFrustum::Parallel(_), Self::Stable) => stable::region(input, receivers),
-            (_, Self::Scene) => scene::region(input, receivers, outline),
+            (LightFrustum::Parallel(_), Self::Sample) => scene::region_in_steps(input, receivers, outline),
+            (_, Self::Scene | Self::Sample) => scene::region(input, receivers, outline),
             (_, Self::View) => view::region(input, &receivers.lit_slice, &receivers.body, outline),
         }
     }

@@ -44,6 +44,7 @@ mod receivers;
 mod rectangle;
 mod region;
 mod rotation;
+mod samples;
 pub mod schema;
 mod settings;
 mod space;
@@ -76,6 +77,7 @@ pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use plane::Plane;
 pub use presets::{PRESETS, Preset};
+pub use samples::{ChosenRectangle, RUNGS_AN_OCTAVE, SampleRegion, Turn};
 pub use settings::{
     Bias, CasterFaces, DepthFormat, DepthLayer, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
     Storage, TransparentCasters,

@@ -23,8 +23,9 @@ use crate::light_projection::LightProjection;
 use crate::reach::Reach;
 use crate::receivers::{Asked, Receivers, ViewInput};
 use crate::rectangle::Rectangle;
+use crate::samples::{ChosenRectangle, SampleRegion};
 use crate::settings::{MAX_LIGHTS, Select, Settings};
-use crate::split::{Splits, split_distances, spot_splits};
+use crate::split::{Splits, distances_within, split_distances, spot_splits};
 use crate::view::ShadowView;
 use crate::view_key::ViewKey;
 use crate::warp::Warp;
@@ -40,6 +41,8 @@ pub struct ShadowPlan {
     lights: Vec<Light>,
     allocation: Allocation,
     splits: Splits,
+    /// Between which view depths something is seen, metres.
+    seen: Option<Range<f32>>,
     views: Vec<ShadowView>,
     /// Room to fit in.
     outline: Outline,
@@ -64,6 +67,7 @@ pub fn plan(
         lights: Vec::new(),
         allocation: Allocation::new(settings, &[])?,
         splits: Splits::default(),
+        seen: None,
         views: Vec::new(),
         outline: Outline::default(),
     };
@@ -93,7 +97,13 @@ impl ShadowPlan {
             self.settings.clone_from(settings);
         }
         self.camera = *camera;
-        self.splits = split_distances(depths.clone(), settings);
+        self.splits = match self.seen.clone().filter(|_| settings.fit == Fit::Sample) {
+            Some(seen) => {
+                let seen = f64::from(seen.start)..f64::from(seen.end);
+                distances_within(depths.clone(), seen, settings)
+            }
+            None => split_distances(depths.clone(), settings),
+        };
         self.lights.clear();
         self.lights.extend_from_slice(lights);
         self.views.clear();
@@ -104,6 +114,13 @@ impl ShadowPlan {
             self.add_light(&frame, index, light, depths.clone());
         }
         Ok(())
+    }
+
+    /// Says between which view depths something is seen, metres, for the plans that are made after this: under [`Fit::Sample`]
+    /// the inner cuts are placed there. All view depths have shadows whatever is said, so an old answer costs texels and no shadow.
+    /// `None` until then.
+    pub fn see(&mut self, depths: Option<Range<f32>>) {
+        self.seen = depths;
     }
 
     /// The views of one light over these view depths.
@@ -202,6 +219,15 @@ impl ShadowPlan {
         }
     }
 
+    /// Says which rectangle a pass has chosen for a view, by the view's place in the plan: its matrix and the size of its texels are
+    /// those that shaders see then. Nothing happens where there is no such view, or nothing is chosen for it.
+    pub fn set_rectangle(&mut self, view: usize, chosen: &ChosenRectangle) {
+        if let Some(view) = self.views.get_mut(view).filter(|view| view.samples.is_some()) {
+            view.clip_from_world = finite_f64(chosen.in_place_of(&view.clip_from_world));
+            view.texel_metres = finite(chosen.sides.max_element() / f64::from(view.tile.size));
+        }
+    }
+
     /// The views, light by light, and in a light split by split or face by face.
     pub fn views(&self) -> &[ShadowView] {
         &self.views
@@ -243,7 +269,9 @@ impl<'a> Frame<'a> {
         let Self { settings, reach, shadowed, .. } = self;
         match settings.select {
             Select::Map if !light_frustum.is_face() => {
-                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution);
+                // What the camera's depth does not show, as glass, may be covered by no finer map.
+                let all_are_seen = settings.fit != Fit::Sample;
+                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution) && all_are_seen;
                 Asked::Covered(if nearer_are_held { slice_start } else { shadowed.start }..shadowed.end)
             }
             Select::Map | Select::Depth | Select::ClipDepth => Asked::OwnSlice,
@@ -257,6 +285,7 @@ struct FittedMap {
     texel_metres: f64,
     casters: ConvexVolume,
     unclipped_depth: bool,
+    samples: Option<SampleRegion>,
 }
 
 /// The whole way of one view, from what it is made from to its matrix and its casters.
@@ -264,11 +293,16 @@ fn fitted_map(fit: Fit, warp: Warp, input: &ViewInput<'_>, outline: &mut Outline
     let receivers = Receivers::of(input);
     let (region, policy) = fit.region(input, &receivers, outline);
     let homography = warp.homography(input, &region);
-    let Rectangle { min, max, texel_metres } = region.rectangle(input, &homography);
+    let samples = SampleRegion::of(input, &region, &homography);
+    let rectangle = match &samples {
+        Some(samples) => samples.rectangle(input.resolution),
+        None => region.rectangle(input, &homography),
+    };
+    let Rectangle { min, max, texel_metres } = rectangle;
     let depths = region.depths.resolve(input, &region.space, texel_metres);
     let projection = LightProjection { space: region.map_space(&homography), homography, min, max, depths };
     let casters = policy.volume(input, &region, &projection, texel_metres);
-    FittedMap { projection, texel_metres, casters, unclipped_depth: policy.flattens(input) }
+    FittedMap { projection, texel_metres, casters, unclipped_depth: policy.flattens(input), samples }
 }
 
 /// Which view of the frame a map is.
@@ -283,7 +317,7 @@ struct Place {
 
 /// The view that draws a map.
 fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
-    let FittedMap { projection, texel_metres, casters, unclipped_depth } = map;
+    let FittedMap { projection, texel_metres, casters, unclipped_depth, samples } = map;
     let Place { index, light, split, tile, depths } = place;
     ShadowView {
         index,
@@ -300,6 +334,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
         depth_scale: finite_vector(projection.depth_scale()),
         tile,
         unclipped_depth,
+        samples,
     }
 }
 

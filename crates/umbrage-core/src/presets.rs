@@ -54,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn our_own_are_six_ways_in_three_sizes() {
+    fn our_own_are_seven_ways_in_three_sizes() {
         let pcss = |resolution: u32, blockers, taps| {
             Filter::Pcss(Pcss { blockers, taps, max_texels: resolution as f32 / 32.0, ..Pcss::default() })
         };
@@ -72,13 +72,16 @@ mod tests {
                 let wanted = Settings { splits, resolution, filter, ..default.clone() };
                 assert_eq!(got, Some(wanted), "{name}{suffix}");
             }
+            let sampled = Preset::named(&format!("sdsm{suffix}")).map(|preset| (preset.settings)());
+            let wanted = Settings { resolution, fit: crate::Fit::Sample, lambda: 1.0, ..default.clone() };
+            assert_eq!(sampled, Some(wanted), "{suffix}");
         }
     }
 
     #[test]
     fn our_own_stay_within_the_memory_that_their_names_say() {
         let ours = PRESETS.iter().filter(|preset| preset.source.starts_with("this project"));
-        assert_eq!(ours.clone().count(), 18, "three for hard light and three for soft, in three sizes");
+        assert_eq!(ours.clone().count(), 21, "four for hard light and three for soft, in three sizes");
         for preset in ours {
             let mib = match preset.name.rsplit_once('-') {
                 Some((_, "4mib")) => 4,

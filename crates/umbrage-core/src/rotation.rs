@@ -13,6 +13,24 @@ pub(crate) enum Rotation {
     None,
     /// So that its texels are the smallest.
     SmallestTexels,
+    /// The same, by a whole number of [`STEP_OF_SAMPLES`]: the number stays while the points turn a little.
+    Steps,
+}
+
+/// How many steps there are in a right angle for [`Rotation::Steps`]: the longer side of a rectangle grows by at most itself a
+/// radian, so half a step costs 5 %.
+pub(crate) const STEPS_OF_SAMPLES: u32 = 16;
+/// The angle of such a step.
+const STEP_OF_SAMPLES: f64 = std::f64::consts::FRAC_PI_2 / STEPS_OF_SAMPLES as f64;
+
+/// The unit direction of a number of such steps. Past a right angle the same rectangles come again.
+pub(crate) fn direction_of_steps(steps: u32) -> DVec2 {
+    DVec2::from_angle(f64::from(steps % STEPS_OF_SAMPLES) * STEP_OF_SAMPLES)
+}
+
+/// The number of steps whose direction is nearest to a unit direction.
+pub(crate) fn steps_of_direction(right: DVec2) -> u32 {
+    (right.to_angle() / STEP_OF_SAMPLES).round().rem_euclid(f64::from(STEPS_OF_SAMPLES)) as u32
 }
 
 impl Rotation {
@@ -21,6 +39,7 @@ impl Rotation {
         match self {
             Self::None => DVec2::X,
             Self::SmallestTexels => smallest_texels(points),
+            Self::Steps => smallest_of_steps(points),
         }
     }
 }
@@ -45,6 +64,18 @@ fn smallest_texels(points: &[DVec2]) -> DVec2 {
             if length < min_length * (1.0 - WIN) {
                 (best, min_length) = (side, length);
             }
+        }
+    }
+    best
+}
+
+/// The direction of a whole number of steps with the smallest texels; the fewest steps where several are as good.
+fn smallest_of_steps(points: &[DVec2]) -> DVec2 {
+    let (mut best, mut min_length) = (DVec2::X, longer_side(points, DVec2::X));
+    for side in (1..STEPS_OF_SAMPLES).map(direction_of_steps) {
+        let length = longer_side(points, side);
+        if length < min_length * (1.0 - WIN) {
+            (best, min_length) = (side, length);
         }
     }
     best

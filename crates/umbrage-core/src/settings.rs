@@ -154,6 +154,13 @@ impl Settings {
                 why: "a warp follows the camera, and a stable map does not",
             });
         }
+        if *fit == Fit::Sample && *warp != Warp::None {
+            return Err(SettingsError::Conflict {
+                this: "`fit = \"sample\"`",
+                other: "a `warp`",
+                why: "only rectangles of even texels are chosen by what is seen",
+            });
+        }
         if bias.depth_layer != DepthLayer::First && bias.casters != CasterFaces::Both {
             return Err(SettingsError::Conflict {
                 this: "`bias.depth_layer`",

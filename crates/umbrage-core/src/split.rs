@@ -35,8 +35,17 @@ impl Deref for Splits {
 /// With `settings.near` (a virtual near) the inner distances are those of a range that starts there; C_0 stays, so that
 /// what is nearer still gets shadows. `depths` must be finite with 0 < start < end and `settings` valid.
 pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Splits {
+    let all = f64::from(depths.start)..f64::from(depths.end);
+    distances_within(depths, all, settings)
+}
+
+/// Returns the distances of a sun that cut `cut` as [`split_distances`] would, but for C_0 and C_m, which are those of `depths`: what
+/// is nearer than what was seen, or farther, has shadows all the same.
+pub(crate) fn distances_within(depths: Range<f32>, cut: Range<f64>, settings: &Settings) -> Splits {
     let (near, far) = (f64::from(depths.start), f64::from(depths.end));
-    let from = settings.near.map_or(near, |virtual_near| f64::from(virtual_near).clamp(near, far));
+    let to = cut.end.clamp(near, far);
+    let virtual_near = settings.near.map_or(near, f64::from);
+    let from = virtual_near.max(cut.start).clamp(near, to);
     let count = settings.splits;
     let min_depth = (far - near) * MIN_SHARE;
     let mut distances = ArrayVec::new();
@@ -44,9 +53,9 @@ pub fn split_distances(depths: Range<f32>, settings: &Settings) -> Splits {
     let mut previous = near;
     for i in 1..count {
         let wanted = match settings.scheme {
-            Scheme::Uniform => uniform(from, far, i, count),
-            Scheme::Logarithmic => logarithmic(from, far, i, count),
-            Scheme::Practical => practical(from, far, i, count, f64::from(settings.lambda)),
+            Scheme::Uniform => uniform(from, to, i, count),
+            Scheme::Logarithmic => logarithmic(from, to, i, count),
+            Scheme::Practical => practical(from, to, i, count, f64::from(settings.lambda)),
             Scheme::Manual => f64::from(settings.manual[i as usize - 1]),
         } + f64::from(settings.split_bias);
         let room_after = min_depth * f64::from(count - i);
@@ -103,6 +112,14 @@ mod tests {
 
     fn practical_settings(splits: u32, lambda: f32) -> Settings {
         Settings { splits, lambda, ..Settings::default() }
+    }
+
+    #[test]
+    fn what_is_seen_is_cut_and_all_has_shadows() {
+        let settings = practical_settings(4, 1.0);
+        assert_eq!(*distances_within(1.0..900.0, 4.0..64.0, &settings), [1.0, 8.0, 16.0, 32.0, 900.0]);
+        let beyond = distances_within(1.0..9.0, 20.0..30.0, &settings);
+        assert!(beyond.windows(2).all(|ends| ends[0] < ends[1]), "{beyond:?}");
     }
 
     #[test]

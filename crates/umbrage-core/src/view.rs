@@ -7,6 +7,7 @@ use glam::{DMat4, DVec3, DVec4, Mat4, Vec2, Vec3, Vec4};
 use crate::allocation::Tile;
 use crate::cull::ConvexVolume;
 use crate::finite::{finite_matrix, finite_vector};
+use crate::samples::SampleRegion;
 use crate::settings::DepthFormat;
 use crate::space::Rays;
 use crate::view_key::ViewKey;
@@ -47,6 +48,10 @@ pub struct ShadowView {
     pub tile: Tile,
     /// Whether casters before the near plane must be flattened onto it.
     pub unclipped_depth: bool,
+    /// Under [`Fit::Sample`](crate::Fit::Sample), the region within which a compute pass chooses what the view covers: its matrix
+    /// and texels are then those of all that may be chosen, and finer ones take their place on the GPU. `None` where the plan
+    /// says what is covered.
+    pub samples: Option<SampleRegion>,
 }
 
 impl ShadowView {

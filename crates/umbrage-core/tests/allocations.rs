@@ -38,6 +38,7 @@ fn a_frame_is_planned_without_an_allocation_while_lights_are_of_the_same_kinds_a
         Settings { warp: Warp::Psm, spot_splits: 3, storage: Storage::Atlas, ..Settings::default() },
         Settings { warp: Warp::Tsm, ..manual },
         Settings { fit: Fit::Stable, ..Settings::default() },
+        Settings { fit: Fit::Sample, ..Settings::default() },
     ] {
         let mut plan = plan(&camera(0), &lights(0), &bounds, &settings).expect("a plan");
         let tiles = plan.allocation().tiles().as_ptr();

@@ -35,6 +35,7 @@ impl Laboratory<'_> {
         watch: Watch,
     ) -> Result<Flicker, LabError> {
         self.use_settings(settings)?;
+        self.renderer().forget_looks();
         let finest = self.finest_texel(shot)?;
         let shots: Vec<Shot> =
             (0..watch.frames).map(|i| moved(self.scene(), shot, motion, i as f32, finest)).collect();

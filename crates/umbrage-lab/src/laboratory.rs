@@ -89,6 +89,8 @@ impl<'a> Laboratory<'a> {
         frames: u32,
     ) -> Result<Judged, LabError> {
         self.use_settings(settings)?;
+        // What a picture shows does not depend on those before.
+        self.renderer.forget_looks();
         let frame = shot.frame(Show::World)?;
         let visibility = self.visibility(&frame, area)?;
         let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;

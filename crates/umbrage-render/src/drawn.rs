@@ -1,7 +1,7 @@
 //! A frame that was drawn: its picture, its plan, and whether the shadow maps are still its own.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 use umbrage::{Camera, ShadowPlan, Share};
@@ -44,6 +44,8 @@ pub struct Rendered {
 #[derive(Debug)]
 pub(crate) struct Planned {
     pub plan: ShadowPlan,
+    /// The same with what was chosen on the device, where that was read back.
+    pub chosen: OnceLock<ShadowPlan>,
     pub camera: Camera,
     /// What positions on the device are relative to, in world space.
     pub origin: DVec3,
@@ -118,9 +120,10 @@ impl Drawn {
         Self { gpu: gpu.clone(), target, planned }
     }
 
-    /// Returns the plan that it was drawn with; it has no views where there are no shadows.
+    /// Returns the plan that it was drawn with; it has no views where there are no shadows. Of what a pass chose under
+    /// [`Fit::Sample`](umbrage::Fit::Sample) it knows where the frame was [waited for](crate::Renderer::render).
     pub fn plan(&self) -> &ShadowPlan {
-        &self.planned.plan
+        self.planned.chosen.get().unwrap_or(&self.planned.plan)
     }
 
     /// Returns what was drawn into each of the plan's views.

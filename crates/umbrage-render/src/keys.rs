@@ -16,11 +16,12 @@ pub(crate) fn name(plan: &mut ShadowPlan, origin: DVec3, lists: &DrawLists, part
         plan.views()[i].hash_projection(&mut state);
         origin.to_array().map(f64::to_bits).hash(&mut state);
         let moving = moving(lists, i);
-        let key = ViewKey {
+        // What a pass chooses for a view has no name.
+        let key = plan.views()[i].samples.is_none().then(|| ViewKey {
             still: number(state.clone(), still(lists, i), lists, parts),
             moving: (!moving.is_empty()).then(|| number(state, moving, lists, parts)),
-        };
-        plan.set_key(i, Some(key));
+        });
+        plan.set_key(i, key);
     }
 }
 

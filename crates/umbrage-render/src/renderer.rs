@@ -4,9 +4,9 @@ mod area;
 mod bent;
 mod maps;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use umbrage::{Casting, Changed, ConvexVolume, Light, Settings, ShadowError, Shadows};
+use umbrage::{Casting, Changed, ConvexVolume, Light, SeenDepth, Settings, ShadowError, Shadows};
 use umbrage_scene::Scene;
 use web_time::{Duration, Instant};
 
@@ -141,8 +141,8 @@ impl Renderer {
     /// When the frame cannot be planned, the picture's size is refused, or the device fails.
     pub fn draw(&mut self, frame: &Frame) -> Result<Drawn, RenderError> {
         let target = self.make_ready(frame)?;
-        let planned = self.cast(frame)?;
-        self.shade(planned, &frame.show, target)
+        let (planned, is_seen) = self.cast(frame, &target)?;
+        self.shade(planned, (&frame.show, is_seen), target)
     }
 
     /// Draws a frame, and waits until it is done.
@@ -151,20 +151,22 @@ impl Renderer {
     /// As [`Self::draw`].
     pub fn render(&mut self, frame: &Frame) -> Result<Rendered, RenderError> {
         let target = self.make_ready(frame)?;
+        self.settle(frame, &target)?;
         let start = Instant::now();
-        let planned = self.cast(frame)?;
+        let (planned, is_seen) = self.cast(frame, &target)?;
         if !self.timer.is_running() {
             // Without timestamps the stages are timed one after the other.
             self.gpu.wait()?;
         }
         let cast = start.elapsed();
-        let drawn = self.shade(planned, &frame.show, target)?;
+        let drawn = self.shade(planned, (&frame.show, is_seen), target)?;
         self.gpu.wait()?;
         let milliseconds = |duration: Duration| duration.as_secs_f64() * 1e3;
         let (frame, cast, plan) =
             (milliseconds(start.elapsed()), milliseconds(cast), drawn.plan_milliseconds());
         let [deform, casters, filter, shade] =
             self.timer.take(&self.gpu).unwrap_or([0.0, cast - plan, 0.0, frame - cast]);
+        self.read_looks(&drawn)?;
         Ok(Rendered { drawn, times: FrameTimes { plan, deform, casters, filter, shade, frame } })
     }
 
@@ -182,7 +184,7 @@ impl Renderer {
         }
         let planned = Arc::clone(planned);
         let target = self.target(show, planned.size, planned.samples)?;
-        self.shade(planned, show, target)
+        self.shade(planned, (show, false), target)
     }
 
     /// Takes how long the passes of an earlier [`Self::draw`] or [`Self::show`] took on the device, milliseconds: bending,
@@ -219,13 +221,62 @@ impl Renderer {
         self.targets.take(&self.gpu, Shape::of(show, size, samples))
     }
 
-    /// Plans a frame, and draws its shadow maps.
-    fn cast(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
+    /// Plans a frame, and draws its shadow maps. Says whether what is seen was drawn before them.
+    fn cast(&mut self, frame: &Frame, target: &Target) -> Result<(Arc<Planned>, bool), RenderError> {
         let planned = self.plan(frame)?;
         self.maps = planned.maps;
+        let is_seen = self.look(frame, &planned, target)?;
         self.draw_casters(&planned)?;
         self.keep_still();
-        Ok(planned)
+        Ok((planned, is_seen))
+    }
+
+    /// Forgets what was seen in frames before: under [`Fit::Sample`](umbrage::Fit::Sample) the next frame is drawn as the first.
+    pub fn forget_looks(&self) {
+        self.shadows.forget_looks(&self.gpu.queue);
+    }
+
+    /// Waits until it is known between which depths something is seen, where that decides how a first frame is planned.
+    fn settle(&mut self, frame: &Frame, target: &Target) -> Result<(), RenderError> {
+        if self.shadows.looks() && self.shadows.seen_depths().is_none() {
+            let planned = self.plan(frame)?;
+            self.look(frame, &planned, target)?;
+            self.gpu.wait()?;
+            if self.shadows.seen_depths().is_some() {
+                self.shadows.forget_rectangles(&self.gpu.queue);
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads what was chosen for the maps of a frame that was waited for.
+    fn read_looks(&self, drawn: &Drawn) -> Result<(), RenderError> {
+        let planned = &drawn.planned;
+        if self.shadows.looks() && planned.plan.views().iter().any(|view| view.samples.is_some()) {
+            let mut plan = planned.plan.clone();
+            self.shadows.read_looks(&self.gpu.device, &self.gpu.queue, &mut plan)?;
+            planned.chosen.get_or_init(|| plan);
+        }
+        Ok(())
+    }
+
+    /// Fits shadow views to what is seen, where the fit asks for that. What is planned for another camera stays as it is.
+    fn look(&mut self, frame: &Frame, planned: &Planned, target: &Target) -> Result<bool, RenderError> {
+        let has_views = planned.plan.views().iter().any(|view| view.samples.is_some());
+        if !self.shadows.looks() || !has_views || frame.planned_for.is_some() {
+            return Ok(false);
+        }
+        let Self { gpu, scene, shadows, shading, timer, .. } = self;
+        let mut encoder = gpu.encoder("Renderer::look");
+        let inputs = Inputs { gpu, scene, shadows };
+        let depth = shading.see(inputs, &mut encoder, timer, planned, &frame.show, target)?;
+        let seen = SeenDepth { depth: &depth, camera: &planned.camera };
+        let on = (&gpu.device, &gpu.queue);
+        timer.compute_pass(CASTERS, &mut encoder, |encoder, timestamps| {
+            shadows.look_timed(on, encoder, &planned.plan, seen, timestamps)
+        })?;
+        gpu.queue.submit([encoder.finish()]);
+        Ok(true)
     }
 
     /// Makes maps of what stands where they will save drawing it. Where the device has no room for them, all is drawn.
@@ -256,6 +307,7 @@ impl Renderer {
         let make = |shadows: &mut Shadows| {
             Ok(Planned {
                 plan: shadows.plan(planned_for, lights, parts.bounds())?,
+                chosen: OnceLock::new(),
                 camera: frame.camera,
                 origin,
                 lights: Vec::new(),
@@ -273,6 +325,7 @@ impl Renderer {
         };
         let fill = |shadows: &mut Shadows, planned: &mut Planned| {
             shadows.replan(&mut planned.plan, planned_for, lights, parts.bounds())?;
+            planned.chosen = OnceLock::new();
             (planned.camera, planned.origin) = (frame.camera, origin);
             planned.lights.clone_from(&frame.lights);
             planned.pose = Arc::clone(&frame.pose);
@@ -337,7 +390,7 @@ impl Renderer {
     fn shade(
         &mut self,
         planned: Arc<Planned>,
-        show: &Show,
+        show: (&Show, bool),
         target: Arc<Target>,
     ) -> Result<Drawn, RenderError> {
         // A renderer beside this one may have moved the scene.

@@ -9,7 +9,7 @@ use crate::error::RenderError;
 use crate::frame::Show;
 use crate::gpu::Gpu;
 use crate::light::FrameLight;
-use crate::passes::contact_depth::ContactDepth;
+use crate::passes::contact_depth::{self, ContactDepth};
 use crate::passes::given::Given;
 use crate::passes::prepass::Prepass;
 use crate::passes::receivers::Receivers;
@@ -33,6 +33,8 @@ pub(crate) struct Shading {
     skies: Vec<(Kind, Sky)>,
     prepasses: Vec<Prepass>,
     contact: Option<ContactDepth>,
+    /// The depth that shadows are fitted to where a target has none of one sample a pixel, with its size.
+    seen: Option<([u32; 2], wgpu::TextureView)>,
     given: Option<Given>,
     metered: Metered,
 }
@@ -74,6 +76,7 @@ impl Shading {
             skies: Vec::new(),
             prepasses: Vec::new(),
             contact: None,
+            seen: None,
             given: None,
             metered: Metered::default(),
         })
@@ -116,9 +119,7 @@ impl Shading {
             }
         };
         for samples in samples_of_depth {
-            if self.prepasses.iter().all(|prepass| prepass.samples != samples) {
-                self.prepasses.push(Prepass::new(gpu, (&self.uniform, scene), samples));
-            }
+            make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), samples);
         }
         let of = (look, kind, after_depth);
         if !self.receivers.iter().any(|(made_for, _)| *made_for == of) {
@@ -128,20 +129,57 @@ impl Shading {
         Ok(())
     }
 
-    /// Draws a picture into a target.
+    /// Draws what a picture sees, one sample a pixel, before its shadows are drawn, and returns where: in the target, if that can
+    /// hold it; then [`Self::record`] need not draw it again.
+    pub fn see(
+        &mut self,
+        Inputs { gpu, scene, shadows: _ }: Inputs<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &PassTimer,
+        planned: &Planned,
+        show: &Show,
+        target: &Target,
+    ) -> Result<wgpu::TextureView, RenderError> {
+        make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), 1);
+        self.upload(gpu, scene, planned, show, target)?;
+        let depth = if sees_in(target, planned) {
+            target.depth.clone()
+        } else {
+            match self.seen.take().filter(|(size, _)| *size == planned.size) {
+                Some((_, depth)) => depth,
+                None => contact_depth::depth(gpu, planned.size),
+            }
+        };
+        if !sees_in(target, planned) {
+            self.seen = Some((planned.size, depth.clone()));
+        }
+        let look = Look::of(show);
+        let veils: &[Draw] = if look.is_some_and(Look::blends) { &[] } else { planned.veils() };
+        let draws = [planned.receivers(), veils];
+        if let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.samples == 1) {
+            timer.pass(SHADE, encoder, |encoder, timestamps| {
+                let bound = (&self.uniform, scene);
+                prepass.record(encoder, &depth, timestamps, bound, &planned.numbers.buffer, draws);
+            });
+        }
+        Ok(depth)
+    }
+
+    /// Draws a picture into a target. `is_seen` says that [`Self::see`] was just called for the same.
     pub fn record(
         &mut self,
         inputs: Inputs<'_>,
         encoder: &mut wgpu::CommandEncoder,
         timer: &PassTimer,
         planned: &Planned,
-        show: &Show,
+        (show, is_seen): (&Show, bool),
         target: &Target,
     ) -> Result<(), RenderError> {
         let Inputs { gpu, scene, shadows } = inputs;
         let look = Look::of(show);
         let visibility = look.map(|look| look.visibility(shadows.settings().contact.is_some()));
-        let after_depth = comes_depth_first(planned, visibility, target);
+        let has_depth = is_seen && look.is_some() && sees_in(target, planned);
+        let after_depth = has_depth || comes_depth_first(planned, visibility, target);
         self.make_ready(inputs, show, target, after_depth)?;
         self.upload(gpu, scene, planned, show, target)?;
         let (draws, veils): (&[Draw], &[Draw]) =
@@ -159,7 +197,7 @@ impl Shading {
             });
         };
         let samples = target.shape.samples;
-        if after_depth {
+        if after_depth && !has_depth {
             draw_depth(&target.depth, samples);
         }
         let extra = match visibility {
@@ -225,6 +263,23 @@ impl Shading {
         }
         Ok(())
     }
+}
+
+/// Makes the pipelines for so many samples a pixel where there are none.
+fn make_prepass(
+    prepasses: &mut Vec<Prepass>,
+    gpu: &Gpu,
+    bound: (&SceneUniform, &SceneBuffers),
+    samples: u32,
+) {
+    if prepasses.iter().all(|prepass| prepass.samples != samples) {
+        prepasses.push(Prepass::new(gpu, bound, samples));
+    }
+}
+
+/// Whether a target can hold the depth that shadows are fitted to.
+fn sees_in(target: &Target, planned: &Planned) -> bool {
+    target.shape.samples == 1 && target.shape.size == planned.size
 }
 
 /// Whether the depth of what is seen is drawn before it is shaded. Contact shadows read it; and it pays where the triangles

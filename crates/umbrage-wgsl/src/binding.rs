@@ -20,6 +20,8 @@ pub struct Binding {
 pub enum BindingKind {
     /// A storage buffer that is only read.
     Storage,
+    /// A storage buffer that is read and written.
+    WrittenStorage,
     /// A uniform buffer, at an offset that is given with the group where `has_dynamic_offset`.
     Uniform {
         /// Whether the offset is given when the group is bound.

@@ -30,6 +30,7 @@ mod frame;
 mod key;
 mod levels;
 mod link;
+mod looks;
 mod modules;
 mod shared;
 mod steps;
@@ -42,10 +43,12 @@ pub use format::{MomentFormat, TexelFormat, TextureSupport};
 pub use frame::{FrameBytes, Surroundings};
 pub use key::ShaderKey;
 pub use levels::lattice_level;
+pub use looks::{LookBytes, ReadChoices, seen_size};
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
     caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings, map, peel, peel_bindings,
-    receiver, receiver_bindings, receiver_with, restore, restore_bindings, second_caster,
+    receiver, receiver_bindings, receiver_with, restore, restore_bindings, samples, samples_bindings,
+    second_caster,
 };
 
 #[cfg(test)]

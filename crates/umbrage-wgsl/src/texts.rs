@@ -140,6 +140,30 @@ pub fn restore_bindings() -> Vec<Binding> {
     ]
 }
 
+/// WGSL of two compute steps that fit views to what the camera's depth shows, under [`Fit::Sample`](umbrage_core::Fit::Sample): `reduce`, in
+/// workgroups of 64 × 64 pixels and one for each view, and then `choose`, in workgroups of 64 views, which writes the views of the
+/// frame.
+pub fn samples() -> String {
+    let roots = &["samples/reduce", "samples/choose"];
+    let text = said(link(Recipe { roots, ..Recipe::default() }));
+    text.replace("var<storage, read> umbrage_frame", "var<storage, read_write> umbrage_frame")
+}
+
+/// What [`samples`] binds: the frame; what [`crate::LookBytes`] writes; [`crate::seen_size`] bytes that are 0 before each
+/// frame; what is chosen, which stays from frame to frame; and the camera's depth.
+pub fn samples_bindings() -> Vec<Binding> {
+    let stages = Stages::Compute;
+    let buffer = |binding, name, kind| Binding { binding, name, kind, stages };
+    let depth = BindingKind::Texture { sample: SampleType::Float, dimension: Dimension::D2 };
+    vec![
+        buffer(0, "umbrage_frame", BindingKind::WrittenStorage),
+        buffer(1, "umbrage_looks", BindingKind::Storage),
+        buffer(2, "umbrage_seen", BindingKind::WrittenStorage),
+        buffer(3, "umbrage_choices", BindingKind::WrittenStorage),
+        Binding { binding: 4, name: "umbrage_seen_depth", kind: depth, stages },
+    ]
+}
+
 /// WGSL for a shader of your own that looks into the maps: the views and the lights, in `umbrage_frame` (binding 0 of
 /// group 0), and `umbrage_linear_depth(view_index, texel, stored) -> f32`, what a stored depth is worth.
 pub fn map() -> String {

@@ -57,6 +57,7 @@ fn kind(kind: BindingKind) -> wgpu::BindingType {
         |ty, has_dynamic_offset| wgpu::BindingType::Buffer { ty, has_dynamic_offset, min_binding_size: None };
     match kind {
         BindingKind::Storage => buffer(wgpu::BufferBindingType::Storage { read_only: true }, false),
+        BindingKind::WrittenStorage => buffer(wgpu::BufferBindingType::Storage { read_only: false }, false),
         BindingKind::Uniform { has_dynamic_offset } => {
             buffer(wgpu::BufferBindingType::Uniform, has_dynamic_offset)
         }

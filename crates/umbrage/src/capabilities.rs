@@ -18,6 +18,8 @@ pub struct Capabilities {
     pub has_unorm16: bool,
     /// Compute shaders write textures of two 16-bit floats; otherwise of four.
     pub writes_two_float16: bool,
+    /// There are compute shaders that write buffers: what `fit = "sample"` needs, which is as `scene` without.
+    pub computes: bool,
     /// A texture with fewer layers than this cannot be bound as an array.
     pub(crate) min_layers: u32,
 }
@@ -34,6 +36,7 @@ impl Capabilities {
         filters_float32: true,
         has_unorm16: true,
         writes_two_float16: true,
+        computes: true,
         min_layers: 1,
     };
 
@@ -47,6 +50,8 @@ impl Capabilities {
     pub fn of(device: &wgpu::Device) -> Self {
         let is_gl = device.adapter_info().backend == wgpu::Backend::Gl;
         let features = device.features();
+        let limits = device.limits();
+        let has_compute = limits.max_compute_invocations_per_workgroup >= 64;
         Self {
             unclipped_depth: features.contains(wgpu::Features::DEPTH_CLIP_CONTROL),
             read_back: !is_gl,
@@ -54,6 +59,7 @@ impl Capabilities {
             filters_float32: features.contains(wgpu::Features::FLOAT32_FILTERABLE),
             has_unorm16: features.contains(wgpu::Features::TEXTURE_FORMAT_16BIT_NORM),
             writes_two_float16: features.contains(AS_THE_ADAPTER_HAS_THEM),
+            computes: has_compute && limits.max_storage_buffers_per_shader_stage >= 4,
             // GL knows a texture of one layer as 2-D, and refuses to bind it as an array.
             min_layers: if is_gl { 2 } else { 1 },
         }

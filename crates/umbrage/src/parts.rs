@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use umbrage_core::{Allocation, Settings};
+use umbrage_core::{Allocation, Fit, Settings};
 use umbrage_wgsl::{ShaderKey, caster_bindings, receiver_bindings};
 
 use crate::bindings;
@@ -15,6 +15,7 @@ use crate::layers::Layers;
 use crate::maps::{Maps, clear_pipeline};
 use crate::objects::Objects;
 use crate::receivers::{ReceiverLayout, Samplers, SamplersKind};
+use crate::samples::Samples;
 use crate::still_maps::StillMaps;
 
 /// What the objects are to serve.
@@ -50,6 +51,8 @@ pub(crate) struct Parts {
     pub layers: Option<Layers>,
     /// The maps of what stands, once there was a use for them.
     pub still: Option<StillMaps>,
+    /// The steps that fit views to what is seen, where that is asked for.
+    pub samples: Option<Samples>,
     /// What the tiles show, which all who share the maps must agree on.
     pub kept: SharedTiles,
     pub filtered: Option<Filtered>,
@@ -81,6 +84,9 @@ impl Parts {
         let layers = layers.or_else(|| Layers::new(objects, &buffers, &maps, depth_layer, capabilities));
         // With a second surface a tile is one with its layers.
         let still = bound.filter(|_| layers.is_none()).and_then(|old| old.still.clone());
+        let has_samples = settings.fit == Fit::Sample && capabilities.computes;
+        let samples = has_samples
+            .then(|| kept(bound.and_then(|old| old.samples.as_ref()), || Samples::new(objects, &buffers)));
         let filtered = match bound.filter(|old| old.key == *key) {
             Some(old) => old.filtered.clone(),
             None => {
@@ -112,6 +118,7 @@ impl Parts {
             maps,
             layers,
             still,
+            samples,
             // Settings say how casters are drawn too: what was drawn with others is not kept.
             kept: SharedTiles::default(),
             filtered,

@@ -46,7 +46,9 @@ impl ReceiverLayout {
             (BindingKind::Texture { .. } | BindingKind::StorageTexture { .. }, _) => {
                 wgpu::BindingResource::TextureView(filtered)
             }
-            (BindingKind::Storage | BindingKind::Uniform { .. }, _) => buffers.frame.as_entire_binding(),
+            (BindingKind::Storage | BindingKind::WrittenStorage | BindingKind::Uniform { .. }, _) => {
+                buffers.frame.as_entire_binding()
+            }
         };
         let resources = self.bindings.iter().map(|binding| (binding.binding, resource(binding)));
         bindings::group_at(objects, "Shadows::receiver_group", &self.layout, resources)

@@ -4,6 +4,7 @@ mod access;
 mod casters;
 mod drawing;
 mod keeping;
+mod looking;
 
 use glam::DVec3;
 use umbrage_core::{
@@ -19,6 +20,8 @@ use crate::maps::check_size;
 use crate::objects::Objects;
 use crate::parts::{Parts, Wanted};
 use crate::supported::{allocation, check};
+
+pub use looking::SeenDepth;
 
 /// Shadow maps for some lights, and what shaders need to draw and to read them.
 ///
@@ -170,6 +173,7 @@ impl Shadows {
             let got = lights.iter().map(|light| light.views(&self.settings)).sum();
             return Err(PlanError::Room { got, max: self.parts.buffers.views });
         }
+        plan.see(self.seen_depths());
         plan.replan(camera, lights, bounds, &self.settings)
     }
 

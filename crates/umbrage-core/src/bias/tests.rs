@@ -115,6 +115,7 @@ fn view(axis: DVec3) -> (ShadowView, LightSpace) {
         depth_scale: Vec3::Z,
         tile: Tile { layer: 0, x: 0, y: 0, size: 128 },
         unclipped_depth: true,
+        samples: None,
     };
     (view, light)
 }

@@ -1,6 +1,8 @@
 //! Fit to the part of the slice that has something in it ("scene-dependent", Ferko 2010 §3.2): what the slice leaves of
 //! the objects' boxes, and the map rotated to suit it.
 
+use glam::DVec3;
+
 use super::cutter::Cutter;
 use super::outline::Outline;
 use super::view;
@@ -15,12 +17,31 @@ use crate::region::Region;
 use crate::rotation::Rotation;
 use crate::tree::{Below, Search};
 
+/// The region around what the slice has in it.
 pub(super) fn region<'a>(
     input: &ViewInput<'_>,
     receivers: &'a Receivers,
     outline: &'a mut Outline,
 ) -> (Region<'a>, CasterPolicy) {
-    let mut visible = VisibleReceivers::new(input, outline);
+    let up = input.camera.forward().as_dvec3();
+    fitted(input, receivers, VisibleReceivers::new(input, up, outline), Rotation::SmallestTexels)
+}
+
+/// The same region, in axes that turn in steps: what is chosen in it later keeps its texels while the camera turns a little.
+pub(super) fn region_in_steps<'a>(
+    input: &ViewInput<'_>,
+    receivers: &'a Receivers,
+    outline: &'a mut Outline,
+) -> (Region<'a>, CasterPolicy) {
+    fitted(input, receivers, VisibleReceivers::new(input, DVec3::Y, outline), Rotation::Steps)
+}
+
+fn fitted<'a>(
+    input: &ViewInput<'_>,
+    receivers: &'a Receivers,
+    mut visible: VisibleReceivers<'a>,
+    rotation: Rotation,
+) -> (Region<'a>, CasterPolicy) {
     if input.bounds.objects().is_empty() {
         visible.add_corners(&receivers.body);
     } else if !receivers.body.is_empty() {
@@ -29,7 +50,7 @@ pub(super) fn region<'a>(
     if visible.is_empty() {
         return view::region(input, &receivers.lit_slice, &NOTHING, visible.into_outline());
     }
-    (visible.region(&receivers.body, Rotation::SmallestTexels), CasterPolicy::BeforeReceivers)
+    (visible.region(&receivers.body, rotation), CasterPolicy::BeforeReceivers)
 }
 
 fn add_objects(visible: &mut VisibleReceivers<'_>, input: &ViewInput<'_>, receivers: &Receivers) {

@@ -16,7 +16,7 @@ pub(super) fn region<'a>(
     body: &'a ConvexBody,
     outline: &'a mut Outline,
 ) -> (Region<'a>, CasterPolicy) {
-    let mut visible = VisibleReceivers::new(input, outline);
+    let mut visible = VisibleReceivers::new(input, input.camera.forward().as_dvec3(), outline);
     visible.add_corners(lit_slice);
     if !body.is_empty() {
         // The rectangle is the slice's, depths are the receivers'.

@@ -15,7 +15,6 @@ use crate::space::LightSpace;
 
 /// Receivers, gathered point by point or box by box.
 pub(super) struct VisibleReceivers<'a> {
-    /// Its up follows the camera's view, so that boxes around slices are tight.
     space: LightSpace,
     outline: &'a mut Outline,
     /// Along the light's axis, metres.
@@ -31,13 +30,13 @@ pub(super) struct VisibleReceivers<'a> {
 }
 
 impl<'a> VisibleReceivers<'a> {
-    /// No receivers yet.
-    pub fn new(input: &ViewInput<'_>, outline: &'a mut Outline) -> Self {
+    /// No receivers yet. Where `up` follows the camera's view, boxes around slices are tight.
+    pub fn new(input: &ViewInput<'_>, up: DVec3, outline: &'a mut Outline) -> Self {
         outline.clear();
         let nothing = f64::INFINITY..f64::NEG_INFINITY;
         let forward = input.camera.forward().as_dvec3();
         Self {
-            space: input.light_frustum.space(forward),
+            space: input.light_frustum.space(up),
             outline,
             metres: nothing.clone(),
             view_depths: nothing,
@@ -214,7 +213,7 @@ mod tests {
         let body = ConvexBody::of_slice(&camera.slice_corners(1.0..100.0)).clipped_by_box(&bounds.world());
         assert!((body.volume() - 131399.48056).abs() < 0.1, "{} m³", body.volume());
         let mut outline = Outline::default();
-        let mut visible = VisibleReceivers::new(&input, &mut outline);
+        let mut visible = VisibleReceivers::new(&input, input.camera.forward().as_dvec3(), &mut outline);
         visible.add_corners(&body);
         let eye = visible.space.to_light(camera.eye().as_dvec3());
         let (metres, depths) = (visible.metres.clone(), visible.view_depths.clone());
@@ -238,7 +237,7 @@ mod tests {
         let pyramid = Pyramid::spot(Vec3::new(5.0, 12.0, -30.0), direction, 0.5, limits, &bounds);
         let input = input(&camera, &bounds, LightFrustum::FromApex(pyramid));
         let mut outline = Outline::default();
-        let mut visible = VisibleReceivers::new(&input, &mut outline);
+        let mut visible = VisibleReceivers::new(&input, input.camera.forward().as_dvec3(), &mut outline);
         for behind in [0.0, 1e-9, 1.0] {
             visible.add(pyramid.apex - visible.space.axis * behind);
         }

@@ -1,7 +1,8 @@
-//! This project's own: six ways to have shadows, each in three sizes of memory.
+//! This project's own: seven ways to have shadows, each in three sizes of memory.
 
 use super::preset::Preset;
 use crate::filter::{Filter, Footprint, Pcss};
+use crate::fit::Fit;
 use crate::settings::Settings;
 
 /// A way in maps of 16, 4 and 64 MiB, which have tiles of 1024, 512 and 2048 texels. Where `how` is `within`, the maps fill
@@ -29,7 +30,7 @@ macro_rules! in_three_sizes {
 }
 
 /// The presets of this project, the default first.
-pub(super) const OWN: [[Preset; 3]; 6] = [
+pub(super) const OWN: [[Preset; 3]; 7] = [
     in_three_sizes!("default", "in", "four maps in 16 MiB, a bell of 3 × 3 lookups", Settings::default()),
     in_three_sizes!("fast", "within", "three maps within 16 MiB, one lookup of the sampler's size", fast()),
     in_three_sizes!(
@@ -56,6 +57,12 @@ pub(super) const OWN: [[Preset; 3]; 6] = [
         "penumbrae of a sun of 0.53°, four maps in 16 MiB, 64 points",
         soft(32, 64)
     ),
+    in_three_sizes!(
+        "sdsm",
+        "in",
+        "four maps in 16 MiB, fitted to what is seen, with logarithmic splits (Lauritzen et al. 2011)",
+        sampled()
+    ),
 ];
 
 /// Maps of so many texels a side; a soft filter reaches over a 32nd of them.
@@ -73,6 +80,11 @@ fn fast() -> Settings {
 
 fn best() -> Settings {
     Settings { filter: Filter::Footprint(Footprint::default()), ..Settings::default() }
+}
+
+/// Where splits begin and end with what is seen, logarithmic ones leave the least error.
+fn sampled() -> Settings {
+    Settings { fit: Fit::Sample, lambda: 1.0, ..Settings::default() }
 }
 
 /// The sun's own size, and so many points to search and to compare.

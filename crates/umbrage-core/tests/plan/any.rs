@@ -28,9 +28,11 @@ pub fn camera() -> impl Strategy<Value = Camera> {
 
 /// A fit and a warp; the stable fit has none.
 pub fn fit_and_warp() -> impl Strategy<Value = (Fit, Warp)> {
-    let fit = prop_oneof![Just(Fit::Scene), Just(Fit::View), Just(Fit::Stable)];
+    let fit = prop_oneof![Just(Fit::Scene), Just(Fit::View), Just(Fit::Stable), Just(Fit::Sample)];
     let warp = prop_oneof![Just(Warp::None), Just(Warp::Psm), Just(Warp::Lispsm), Just(Warp::Tsm)];
-    (fit, warp).prop_map(|(fit, warp)| if fit == Fit::Stable { (fit, Warp::None) } else { (fit, warp) })
+    (fit, warp).prop_map(|(fit, warp)| {
+        if matches!(fit, Fit::Stable | Fit::Sample) { (fit, Warp::None) } else { (fit, warp) }
+    })
 }
 
 pub fn world() -> Bounds {

@@ -7,7 +7,7 @@ use umbrage_core::{Aabb, Bounds, Camera, Fit, Light, Projection, Settings, Shado
 use super::any::{direction, fit_and_warp, share};
 
 /// The fits and warps that go together.
-const CHOICES: [(Fit, Warp); 9] = [
+const CHOICES: [(Fit, Warp); 10] = [
     (Fit::Scene, Warp::None),
     (Fit::Scene, Warp::Psm),
     (Fit::Scene, Warp::Lispsm),
@@ -17,6 +17,7 @@ const CHOICES: [(Fit, Warp); 9] = [
     (Fit::View, Warp::Lispsm),
     (Fit::View, Warp::Tsm),
     (Fit::Stable, Warp::None),
+    (Fit::Sample, Warp::None),
 ];
 
 /// What is wrong with a plan, if anything. Texels at 10¹⁶ m and beyond may have no size: two f64 lie metres apart there.

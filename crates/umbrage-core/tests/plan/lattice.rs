@@ -56,7 +56,7 @@ proptest! {
                 // Only faces of point lights lie still under a fit to the scene.
                 let kept = match fit {
                     Fit::Stable => plan.views(),
-                    Fit::Scene | Fit::View => &plan.views()[4..],
+                    Fit::Scene | Fit::View | Fit::Sample => &plan.views()[4..],
                 };
                 for (before, after) in before.iter().flatten().zip(kept) {
                     seen += seen_by_both(before, after, &points);

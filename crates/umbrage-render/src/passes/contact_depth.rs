@@ -64,7 +64,8 @@ impl ContactDepth {
     }
 }
 
-fn depth(gpu: &Gpu, size: [u32; 2]) -> wgpu::TextureView {
+/// A depth of one sample a pixel, to draw and to read.
+pub(crate) fn depth(gpu: &Gpu, size: [u32; 2]) -> wgpu::TextureView {
     let texture = gpu.texture(&wgpu::TextureDescriptor {
         label: Some("ContactDepth::beside"),
         size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },

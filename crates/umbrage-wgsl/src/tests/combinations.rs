@@ -42,6 +42,10 @@ fn binds(what: &str, text: &str, group: u32, bindings: &[Binding], all: bool) {
 fn is_kind(kind: BindingKind, space: naga::AddressSpace, ty: &naga::TypeInner) -> bool {
     use naga::{ImageClass, ImageDimension, ScalarKind, TypeInner};
     match (kind, ty) {
+        (BindingKind::WrittenStorage, _) => {
+            let access = naga::StorageAccess::LOAD | naga::StorageAccess::STORE;
+            space == naga::AddressSpace::Storage { access }
+        }
         (BindingKind::Storage, _) => matches!(space, naga::AddressSpace::Storage { .. }),
         (BindingKind::Uniform { .. }, _) => space == naga::AddressSpace::Uniform,
         (BindingKind::Sampler(kind), TypeInner::Sampler { comparison }) => {
@@ -170,6 +174,7 @@ fn the_other_texts_are_valid_wgsl_and_bind_what_they_say() {
     binds("peel", &peel(), 0, &peel_bindings(), true);
     binds("restore", &restore(), 0, &restore_bindings(), true);
     binds("clear", &clear(), 0, &[], true);
+    binds("samples", &samples(), 0, &samples_bindings(), true);
     binds("map", &map(), 0, &[Binding::frame(Stages::Fragment)], true);
     for layer in [DepthLayer::Second, DepthLayer::Midpoint, DepthLayer::Dual] {
         binds("join", &join(layer).expect("two layers"), 0, &join_bindings(), true);

@@ -29,12 +29,24 @@ fn shader_and_rust_agree_where_every_field_of_the_contact_camera_lies() {
     assert_eq!(contact_camera::Seen::min_size().get(), CONTACT_CAMERA_BYTES as u64);
 }
 
+#[test]
+fn shader_and_rust_agree_where_every_field_of_the_looks_lies() {
+    same(&samples(), "UmbrageLook", &looks::Look::fields());
+    same(&samples(), "UmbrageLooks", &looks::Looks::fields());
+    same(&samples(), "UmbrageAxis", &looks::Axis::fields());
+    same(&samples(), "UmbrageChoice", &looks::Choice::fields());
+    same(&samples(), "UmbrageChoices", &looks::Choices::fields());
+    assert_eq!(u64::from(constant(&samples(), "UMBRAGE_SEEN")), looks::SEEN);
+    assert_eq!(constant(&samples(), "UMBRAGE_RUNGS_AN_OCTAVE"), umbrage_core::RUNGS_AN_OCTAVE);
+}
+
 /// The value of a constant of a text.
 fn constant(text: &str, name: &str) -> u32 {
     let module = naga::front::wgsl::parse_str(text).unwrap();
     let (_, constant) = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).unwrap();
     match module.global_expressions[constant.init] {
         naga::Expression::Literal(naga::Literal::U32(value)) => value,
+        naga::Expression::Literal(naga::Literal::I32(value)) => value as u32,
         ref other => panic!("{name} is {other:?}"),
     }
 }

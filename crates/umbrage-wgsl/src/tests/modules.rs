@@ -71,8 +71,8 @@ fn every_filter_has_a_module_of_its_kind_and_every_module_is_used() {
         let steps = key.moment_steps().into_iter().flat_map(|s| [s.convert, s.across, s.halve]);
         steps.chain(key.sum_steps().map(|s| s.rows)).for_each(|step| mark(&step.text));
     }
-    let others =
-        [caster(0), second_caster(0), clear(), peel(), map(), contact(&umbrage_core::Contact::default(), 0)];
+    let contact = contact(&umbrage_core::Contact::default(), 0);
+    let others = [caster(0), second_caster(0), clear(), peel(), map(), samples(), contact];
     others.iter().for_each(|text| mark(text));
     use umbrage_core::DepthLayer::{Dual, Midpoint, Second};
     [Second, Midpoint, Dual].iter().for_each(|layer| mark(&join(*layer).unwrap()));

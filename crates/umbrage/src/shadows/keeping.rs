@@ -23,7 +23,9 @@ impl Shadows {
     pub fn name_views(&self, plan: &mut ShadowPlan, bounds: &Bounds) -> Result<(), ShadowError> {
         for i in 0..plan.views().len() {
             let view = &plan.views()[i];
-            plan.set_key(i, Some(ViewKey { still: name(view), moving: None }));
+            // What a pass chooses for a view has no name.
+            let key = view.samples.is_none().then(|| ViewKey { still: name(view), moving: None });
+            plan.set_key(i, key);
             if cfg!(debug_assertions) {
                 let view = &plan.views()[i];
                 if self.parts.kept.lock().is_stale(view, boxes_within(view, bounds)) {

@@ -14,6 +14,7 @@ mod lookup;
 mod masks;
 mod moments;
 mod plane;
+mod samples;
 mod sheets;
 mod soft;
 mod warps;
