@@ -2,25 +2,24 @@
 
 mod area;
 mod bent;
+mod looking;
 mod maps;
+mod planning;
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
-use umbrage::{Casting, Changed, ConvexVolume, Light, SeenDepth, Settings, ShadowError, Shadows};
+use umbrage::{Casting, Changed, Light, Settings, ShadowError, Shadows};
 use umbrage_scene::Scene;
 use web_time::{Duration, Instant};
 
 pub use area::AreaRendered;
 pub use bent::BentVertices;
 
-use crate::buffers::Growing;
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
-use crate::draws::{Draw, DrawLists, PartTable};
+use crate::draws::PartTable;
 use crate::error::RenderError;
-use crate::exposure::Exposure;
 use crate::frame::{Frame, Show};
 use crate::gpu::Gpu;
-use crate::keys;
 use crate::passes::casters::{Casters, Surface};
 use crate::passes::map_picture::MapPicture;
 use crate::passes::query::QueryPass;
@@ -28,7 +27,7 @@ use crate::pool::{Plans, Targets};
 use crate::scene_buffers::SceneBuffers;
 use crate::shading::{Inputs, Shading};
 use crate::target::{Shape, Target};
-use crate::timing::{CASTERS, FILTER, FrameTimes, PassTimer, ViewLoad};
+use crate::timing::{CASTERS, FILTER, FrameTimes, PassTimer};
 
 /// Draws a scene on a device, with shadows. Each frame that it draws is a [`Drawn`], which says what belongs to whom.
 #[derive(Debug)]
@@ -231,54 +230,6 @@ impl Renderer {
         Ok((planned, is_seen))
     }
 
-    /// Forgets what was seen in frames before: under [`Fit::Sample`](umbrage::Fit::Sample) the next frame is drawn as the first.
-    pub fn forget_looks(&self) {
-        self.shadows.forget_looks(&self.gpu.queue);
-    }
-
-    /// Waits until it is known between which depths something is seen, where that decides how a first frame is planned.
-    fn settle(&mut self, frame: &Frame, target: &Target) -> Result<(), RenderError> {
-        if self.shadows.looks() && self.shadows.seen_depths().is_none() {
-            let planned = self.plan(frame)?;
-            self.look(frame, &planned, target)?;
-            self.gpu.wait()?;
-            if self.shadows.seen_depths().is_some() {
-                self.shadows.forget_rectangles(&self.gpu.queue);
-            }
-        }
-        Ok(())
-    }
-
-    /// Reads what was chosen for the maps of a frame that was waited for.
-    fn read_looks(&self, drawn: &Drawn) -> Result<(), RenderError> {
-        let planned = &drawn.planned;
-        if self.shadows.looks() && planned.plan.views().iter().any(|view| view.samples.is_some()) {
-            let mut plan = planned.plan.clone();
-            self.shadows.read_looks(&self.gpu.device, &self.gpu.queue, &mut plan)?;
-            planned.chosen.get_or_init(|| plan);
-        }
-        Ok(())
-    }
-
-    /// Fits shadow views to what is seen, where the fit asks for that. What is planned for another camera stays as it is.
-    fn look(&mut self, frame: &Frame, planned: &Planned, target: &Target) -> Result<bool, RenderError> {
-        let has_views = planned.plan.views().iter().any(|view| view.samples.is_some());
-        if !self.shadows.looks() || !has_views || frame.planned_for.is_some() {
-            return Ok(false);
-        }
-        let Self { gpu, scene, shadows, shading, timer, .. } = self;
-        let mut encoder = gpu.encoder("Renderer::look");
-        let inputs = Inputs { gpu, scene, shadows };
-        let depth = shading.see(inputs, &mut encoder, timer, planned, &frame.show, target)?;
-        let seen = SeenDepth { depth: &depth, camera: &planned.camera };
-        let on = (&gpu.device, &gpu.queue);
-        timer.compute_pass(CASTERS, &mut encoder, |encoder, timestamps| {
-            shadows.look_timed(on, encoder, &planned.plan, seen, timestamps)
-        })?;
-        gpu.queue.submit([encoder.finish()]);
-        Ok(true)
-    }
-
     /// Makes maps of what stands where they will save drawing it. Where the device has no room for them, all is drawn.
     fn keep_still(&mut self) {
         if self.shadows.would_keep_still() && !self.has_no_room_for_still {
@@ -293,58 +244,6 @@ impl Renderer {
                 Err(_) => self.has_no_room_for_still = true,
             }
         }
-    }
-
-    /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
-    fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
-        let start = Instant::now();
-        let (cull_parts, keep_tiles) = (self.cull_parts, self.keep_tiles);
-        let Self { gpu, scene, parts, shadows, lights, timer, plans, .. } = self;
-        let origin = frame.camera.local_origin();
-        scene.move_to(gpu, timer, origin, &frame.pose);
-        parts.move_to(&scene.placement.instances, &frame.pose);
-        let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
-        let make = |shadows: &mut Shadows| {
-            Ok(Planned {
-                plan: shadows.plan(planned_for, lights, parts.bounds())?,
-                chosen: OnceLock::new(),
-                camera: frame.camera,
-                origin,
-                lights: Vec::new(),
-                pose: Arc::clone(&frame.pose),
-                size: [0, 0],
-                samples: 1,
-                exposure: Exposure::default(),
-                haze: true,
-                lists: DrawLists::default(),
-                numbers: Growing::new(gpu, "instance numbers", wgpu::BufferUsages::VERTEX)?,
-                loads: Vec::new(),
-                milliseconds: 0.0,
-                maps: MapsId::new(),
-            })
-        };
-        let fill = |shadows: &mut Shadows, planned: &mut Planned| {
-            shadows.replan(&mut planned.plan, planned_for, lights, parts.bounds())?;
-            planned.chosen = OnceLock::new();
-            (planned.camera, planned.origin) = (frame.camera, origin);
-            planned.lights.clone_from(&frame.lights);
-            planned.pose = Arc::clone(&frame.pose);
-            (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
-            (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
-            list(planned, parts, cull_parts);
-            if keep_tiles {
-                keys::name(&mut planned.plan, origin, &planned.lists, parts);
-            }
-            planned.numbers.write(gpu, bytemuck::cast_slice(planned.lists.instances()))?;
-            planned.maps = MapsId::new();
-            shadows.set_picture_size(frame.width, frame.height);
-            shadows.set_origin(origin);
-            shadows.upload(&gpu.queue, &planned.plan)?;
-            load(planned, shadows);
-            planned.milliseconds = start.elapsed().as_secs_f64() * 1e3;
-            Ok(())
-        };
-        plans.filled(shadows, make, fill)
     }
 
     fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {
@@ -402,30 +301,5 @@ impl Renderer {
         self.gpu.queue.submit([encoder.finish()]);
         self.timer.end_frame()?;
         Ok(Drawn::new(&self.gpu, target, planned))
-    }
-}
-
-/// Lists what belongs to each of a plan's views, what the camera sees, and the veils before that.
-fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
-    let Planned { plan, camera, lists, .. } = planned;
-    lists.clear();
-    for view in plan.views() {
-        parts.add_casters(lists, cull_parts.then_some(&view.casters));
-    }
-    let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    parts.add_seen(lists, &seen, camera.eye());
-    parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
-}
-
-/// Counts what must be drawn into each of a plan's views.
-fn load(planned: &mut Planned, shadows: &Shadows) {
-    planned.loads.clear();
-    for (i, view) in planned.plan.views().iter().enumerate() {
-        let mut load = ViewLoad { light: view.light, split: view.split, draws: 0, triangles: 0 };
-        for draws in shadows.due(i).flat_map(|share| planned.casters(i, share)) {
-            load.draws += draws.len();
-            load.triangles += draws.iter().map(Draw::triangles).sum::<u64>();
-        }
-        planned.loads.push(load);
     }
 }
