@@ -13,6 +13,6 @@ fn everywhere(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn restore(@builtin(position) position: vec4f) -> @builtin(frag_depth) f32 {
-    let layer = umbrage_frame.views[umbrage_current_view.x].layer;
+    let layer = i32(umbrage_frame.views[umbrage_current_view.x].tile.w);
     return textureLoad(umbrage_still, vec2i(position.xy), layer, 0);
 }
