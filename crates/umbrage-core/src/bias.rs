@@ -104,7 +104,7 @@ pub const STEEPEST_PLANE: f32 = 200.0;
 /// Rasterisers round corners to a grid of 256 steps a texel: stored depth may be that of a place so many texels away.
 pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 
-/// How far lookups with a filter and a bias reach from their receiver.
+/// Returns how far lookups with a filter and a bias reach from their receiver.
 pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
     // The smaller the texel, the more of them a width in metres is, up to its limit.
     let offset_texels = f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE));

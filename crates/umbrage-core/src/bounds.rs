@@ -23,7 +23,7 @@ pub struct Bounds {
     world: Option<Aabb>,
     objects: Vec<Aabb>,
     tree: Tree,
-    /// How many objects nothing can be planned for.
+    /// The number of objects that nothing can be planned for.
     endless: usize,
 }
 

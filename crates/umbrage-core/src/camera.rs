@@ -6,7 +6,7 @@ use glam::{DVec3, Mat4, Vec3};
 
 use crate::error::CameraError;
 
-/// How a camera projects.
+/// A projection says how a camera's rays run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// The camera is a pinhole.
@@ -127,7 +127,7 @@ impl Camera {
         (self.eye().as_dvec3() / step).round() * step
     }
 
-    /// How the camera projects.
+    /// Returns how the camera projects.
     pub fn projection(&self) -> Projection {
         self.projection
     }

@@ -40,9 +40,9 @@ pub struct CasterKey {
     pub flattens: bool,
     /// The faces that are drawn.
     pub faces: CasterFaces,
-    /// How many of the format's smallest steps casters are drawn deeper.
+    /// Casters are drawn so many of the format's smallest steps deeper.
     pub raster_constant: i32,
-    /// How much deeper casters are drawn, in their own depth slopes a texel.
+    /// Casters are drawn so much deeper, in their own depth slopes a texel.
     pub raster_slope: f32,
     /// Whether casters are drawn once more, for the second surface.
     pub draws_second: bool,

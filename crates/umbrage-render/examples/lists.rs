@@ -7,9 +7,7 @@ use std::time::Instant;
 
 use glam::{Mat4, Vec2, Vec3};
 use umbrage_render::draws::{DrawLists, PartTable};
-use umbrage_render::umbrage::{
-    Camera, CameraError, ConvexVolume, Light, Projection, Settings, ShadowPlan, plan,
-};
+use umbrage_render::umbrage::{Camera, CameraError, Light, Projection, Settings, ShadowPlan, plan};
 use umbrage_scene::{Instance, Material, Mesh, Motion, Pose, Primitive, Scene};
 
 /// The world is so large, metres.
@@ -59,7 +57,7 @@ fn measure(
         let moved = start.elapsed();
         planned.replan(&camera, lights, table.bounds(), &Settings::default())?;
         let after_plan = start.elapsed();
-        list(&mut lists, &planned, &camera, &table);
+        table.list(&mut lists, &planned, &camera, true);
         let all = start.elapsed();
         // The first frame makes the room that the others use.
         if frame > 0 {
@@ -70,17 +68,6 @@ fn measure(
     }
     println!("{name:34}{}  {} instances drawn", times.map(spread).concat(), lists.instances().len());
     Ok(())
-}
-
-/// All of a frame's lists, as the renderer makes them.
-fn list(lists: &mut DrawLists, plan: &ShadowPlan, camera: &Camera, table: &PartTable) {
-    lists.clear();
-    for view in plan.views() {
-        table.add_casters(lists, Some(&view.casters));
-    }
-    let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    table.add_seen(lists, &seen, camera.eye());
-    table.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }
 
 /// The camera of a frame: 30 m above the ground, at 30 m a second, in a slow turn.

@@ -47,6 +47,12 @@ pub enum RenderError {
         /// The bytes that a buffer may have.
         most: u64,
     },
+    /// The device has no memory for something large.
+    #[error("the device has no memory for {what}; lower `resolution` or the size of the picture")]
+    NoMemory {
+        /// What there is no memory for.
+        what: String,
+    },
     /// A compute shader cannot read and write as many buffers as are needed to bend meshes.
     #[error(
         "skins and morph targets need {needed} storage buffers in a compute shader; this adapter has {most}"

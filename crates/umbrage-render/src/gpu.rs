@@ -109,7 +109,7 @@ impl Gpu {
         let invalid = pollster::block_on(invalid.pop());
         match (no_memory, invalid) {
             (None, None) => Ok(made?),
-            (Some(_), _) => Err(RenderError::Device(format!("there is no memory for {what}"))),
+            (Some(_), _) => Err(RenderError::NoMemory { what: what.to_owned() }),
             (None, Some(error)) => Err(RenderError::Device(format!("{what} cannot be made: {error}"))),
         }
     }

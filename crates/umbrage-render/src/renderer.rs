@@ -226,12 +226,12 @@ impl Renderer {
         self.maps = planned.maps;
         let is_seen = self.look(frame, &planned, target)?;
         self.draw_casters(&planned)?;
-        self.keep_still();
+        self.keep_still()?;
         Ok((planned, is_seen))
     }
 
     /// Makes maps of what stands where they will save drawing it. Where the device has no room for them, all is drawn.
-    fn keep_still(&mut self) {
+    fn keep_still(&mut self) -> Result<(), RenderError> {
         if self.shadows.would_keep_still() && !self.has_no_room_for_still {
             let Self { gpu, shadows, .. } = self;
             let mut with_still = shadows.clone();
@@ -241,9 +241,11 @@ impl Renderer {
             });
             match made {
                 Ok(()) => *shadows = with_still,
-                Err(_) => self.has_no_room_for_still = true,
+                Err(RenderError::NoMemory { .. }) => self.has_no_room_for_still = true,
+                Err(other) => return Err(other),
             }
         }
+        Ok(())
     }
 
     fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {

@@ -101,9 +101,8 @@ impl Shading {
             self.skies.push((kind, Sky::new(gpu, &self.uniform, around, kind.0, kind.1)));
         }
         let Some(look) = Look::of(show) else { return Ok(()) };
-        let mut samples_of_depth = vec![];
         if after_depth {
-            samples_of_depth.push(kind.1);
+            make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), kind.1);
         }
         let extra = match look.visibility(shadows.settings().contact.is_some()) {
             Visibility::Unused | Visibility::Full | Visibility::Maps => None,
@@ -112,15 +111,12 @@ impl Shading {
                 none => &none.insert(Given::new(gpu)?).layout,
             }),
             Visibility::MapsAndContact => {
-                samples_of_depth.push(1);
+                make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), 1);
                 let contact = self.contact.get_or_insert_with(|| ContactDepth::new(gpu));
                 contact.make_ready(gpu, target);
                 Some(contact.layout())
             }
         };
-        for samples in samples_of_depth {
-            make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), samples);
-        }
         let of = (look, kind, after_depth);
         if !self.receivers.iter().any(|(made_for, _)| *made_for == of) {
             let bound = (&self.uniform, scene, shadows);
@@ -145,17 +141,11 @@ impl Shading {
         let depth = if sees_in(target, planned) {
             target.depth.clone()
         } else {
-            match self.seen.take().filter(|(size, _)| *size == planned.size) {
-                Some((_, depth)) => depth,
-                None => contact_depth::depth(gpu, planned.size),
-            }
+            let (size, seen) = (planned.size, self.seen.take());
+            let seen = seen.filter(|(of, _)| *of == size);
+            self.seen.insert(seen.unwrap_or_else(|| (size, contact_depth::depth(gpu, size)))).1.clone()
         };
-        if !sees_in(target, planned) {
-            self.seen = Some((planned.size, depth.clone()));
-        }
-        let look = Look::of(show);
-        let veils: &[Draw] = if look.is_some_and(Look::blends) { &[] } else { planned.veils() };
-        let draws = [planned.receivers(), veils];
+        let draws = with_depth(planned, Look::of(show));
         if let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.samples == 1) {
             timer.pass(SHADE, encoder, |encoder, timestamps| {
                 let bound = (&self.uniform, scene);
@@ -184,8 +174,6 @@ impl Shading {
         self.upload(gpu, scene, planned, show, target)?;
         let (draws, veils): (&[Draw], &[Draw]) =
             if look.is_some() { (planned.receivers(), planned.veils()) } else { (&[], &[]) };
-        // Veils that a look cuts out are as solid as the rest.
-        let cut_veils = if look.is_some_and(Look::blends) { &[] } else { veils };
         let numbers = &planned.numbers.buffer;
         let mut draw_depth = |depth: &wgpu::TextureView, samples: u32| {
             let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.samples == samples) else {
@@ -193,7 +181,7 @@ impl Shading {
             };
             timer.pass(SHADE, encoder, |encoder, timestamps| {
                 let bound = (&self.uniform, scene);
-                prepass.record(encoder, depth, timestamps, bound, numbers, [draws, cut_veils]);
+                prepass.record(encoder, depth, timestamps, bound, numbers, with_depth(planned, look));
             });
         };
         let samples = target.shape.samples;
@@ -263,6 +251,11 @@ impl Shading {
         }
         Ok(())
     }
+}
+
+/// What the depth of a frame holds: what is seen, and the veils where a look cuts them out, so that they are as solid.
+fn with_depth(planned: &Planned, look: Option<Look>) -> [&[Draw]; 2] {
+    [planned.receivers(), if look.is_some_and(Look::blends) { &[] } else { planned.veils() }]
 }
 
 /// Makes the pipelines for so many samples a pixel where there are none.

@@ -2,7 +2,7 @@
 
 use glam::{Mat4, Vec2, Vec3};
 use umbrage_render::draws::{DrawLists, PartTable};
-use umbrage_render::umbrage::{Camera, ConvexVolume, Light, Projection, Settings, ShadowPlan, plan};
+use umbrage_render::umbrage::{Camera, Light, Projection, Settings, ShadowPlan, plan};
 use umbrage_scene::{Alpha, Instance, Material, Mesh, Motion, Pose, Primitive, Scene};
 
 /// Things on a lattice, of two materials; one in three turns about the middle of all.
@@ -52,13 +52,7 @@ fn a_frame_is_moved_planned_and_listed_without_an_allocation() {
         let camera = camera(number);
         table.move_to(&scene.instances, &Pose::at(number as f32 * 0.1));
         plan.replan(&camera, &lights, table.bounds(), &settings).expect("a plan");
-        lists.clear();
-        for view in plan.views() {
-            table.add_casters(lists, Some(&view.casters));
-        }
-        let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-        table.add_seen(lists, &seen, camera.eye());
-        table.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
+        table.list(lists, plan, &camera, true);
     };
     // Lists of other cameras may need a little more room, once.
     (1..32).for_each(|number| frame(number, &mut table, &mut plan, &mut lists));

@@ -1,7 +1,11 @@
 //! Writes a large .glb of the kind that level editors export: 1.5 million triangles in 300 nodes, one mesh of them with
 //! 280 thousand. `cargo run --release -p umbrage-scene --example large_gltf -- large.glb`
 
-use glam::{Mat4, Vec2, Vec3};
+#[path = "sheet/mod.rs"]
+mod sheet;
+
+use glam::{Mat4, Vec3};
+use sheet::sheet;
 use umbrage_scene::{Camera, Instance, Light, Material, Mesh, Primitive, Scene, to_glb};
 
 /// Side of the square town, metres.
@@ -52,29 +56,4 @@ fn tower(kind: f32) -> Primitive {
             (5.0 + 0.4 * (v * (20.0 + kind) + u * turn * 3.0).sin()) * if v > 0.98 { 0.0 } else { 1.0 };
         Vec3::new(radius * (u * turn).cos(), v * (20.0 + 3.0 * kind), -radius * (u * turn).sin())
     })
-}
-
-/// A grid of `cells` × `cells` quads over shares 0…1, bent by `place`, with normals from its own slopes.
-fn sheet(cells: u32, place: impl Fn(f32, f32) -> Vec3) -> Primitive {
-    let share = |i: u32| i as f32 / cells as f32;
-    let mut sheet = Primitive::default();
-    for j in 0..=cells {
-        for i in 0..=cells {
-            let (u, v) = (share(i), share(j));
-            let step = 0.5 / cells as f32;
-            let along_u = place(u + step, v) - place(u - step, v);
-            let along_v = place(u, v + step) - place(u, v - step);
-            sheet.positions.push(place(u, v));
-            sheet.normals.push(along_v.cross(along_u).normalize_or(Vec3::Y));
-            sheet.uvs.push(Vec2::new(u, v));
-        }
-    }
-    let at = |i: u32, j: u32| j * (cells + 1) + i;
-    for j in 0..cells {
-        for i in 0..cells {
-            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-            sheet.indices.extend([a, d, b, b, d, c]);
-        }
-    }
-    sheet
 }

@@ -104,7 +104,7 @@ impl<'a> Casting<'a> {
             None => maps.enter(pass, view.tile),
         }
         if let Some(kept) = self.to.kept {
-            kept.lock().record(step, view);
+            kept.lock().record(step, view, self.to.still.map(|still| still.id));
         }
     }
 }

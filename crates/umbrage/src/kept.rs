@@ -35,8 +35,8 @@ struct KeptTile {
     tile: Tile,
     /// What is drawn in it, if that has a name.
     shows: Option<ViewKey>,
-    /// What stands in the same place of the still maps.
-    still: Option<u64>,
+    /// What stands in the same place of still maps, and in which.
+    still: Option<(u64, u64)>,
     /// What the last plan asked to stand here: what is asked for twice is worth keeping.
     asked: Option<u64>,
     /// Where the casters are of what it shows.
@@ -58,9 +58,9 @@ impl Kept {
         }
     }
 
-    /// Makes a list of what must be drawn so that all tiles show what the views are to show. `splits` says whether there are
-    /// still maps. Returns whether still maps would save something.
-    pub fn decide(&mut self, views: &[ShadowView], splits: bool, steps: &mut Vec<Step>) -> bool {
+    /// Makes a list of what must be drawn so that all tiles show what the views are to show. `still_maps` is
+    /// the id of the still maps, where there are any. Returns whether still maps would save something.
+    pub fn decide(&mut self, views: &[ShadowView], still_maps: Option<u64>, steps: &mut Vec<Step>) -> bool {
         steps.clear();
         self.make_room(views);
         let mut would_save = false;
@@ -72,29 +72,30 @@ impl Kept {
             if shows.is_some() {
                 continue;
             }
-            let stands = view.key.is_some_and(|key| kept.still == Some(key.still));
+            let wanted = still_maps.zip(view.key).map(|(id, key)| (id, key.still));
+            let stands = wanted.is_some() && kept.still == wanted;
             let moves = view.key.is_some_and(|key| key.moving.is_some());
             would_save |= moves && asked_before;
             let step = |target, share, restores| Step { view: view.index, target, share, restores };
-            if splits && stands {
+            if stands {
                 let share = moves.then_some(Share::Moving);
                 steps.push(step(Target::Maps, share, true));
-            } else if splits && moves && asked_before {
+            } else if wanted.is_some() && moves && asked_before {
                 steps.push(step(Target::StillMaps, Some(Share::Still), false));
                 steps.push(step(Target::Maps, Some(Share::Moving), true));
             } else {
                 steps.push(step(Target::Maps, Some(Share::All), false));
             }
         }
-        would_save && !splits
+        would_save && still_maps.is_none()
     }
 
-    /// Takes note of a step that is recorded.
-    pub fn record(&mut self, step: &Step, view: &ShadowView) {
+    /// Takes note of a step that is recorded; `still_maps` as in [`Self::decide`].
+    pub fn record(&mut self, step: &Step, view: &ShadowView, still_maps: Option<u64>) {
         self.make_room(std::slice::from_ref(view));
         let kept = &mut self.tiles[view.index];
         match step.target {
-            Target::StillMaps => kept.still = view.key.map(|key| key.still),
+            Target::StillMaps => kept.still = still_maps.zip(view.key).map(|(id, key)| (id, key.still)),
             Target::Maps => {
                 kept.shows = view.key;
                 kept.casters.clone_from(&view.casters);
@@ -113,9 +114,14 @@ impl Kept {
         kept.shows.is_some() && kept.shows == view.key && kept.boxes[1] != boxes
     }
 
-    /// Takes which views were drawn since this was last asked, by their place in the plan.
-    pub fn take_drawn(&mut self) -> Vec<bool> {
-        std::mem::take(&mut self.drawn)
+    /// Whether a view was drawn since [`Self::forget_drawn`].
+    pub fn is_drawn(&self, view: &ShadowView) -> bool {
+        self.drawn.get(view.index) == Some(&true)
+    }
+
+    /// Says that what lookups read was made of all views that were drawn.
+    pub fn forget_drawn(&mut self) {
+        self.drawn.fill(false);
     }
 
     /// Room for these views. Tiles that lie otherwise than before belong to another plan, and may lie across all others.

@@ -206,8 +206,8 @@ impl Shadows {
         };
         let frame = self.bytes.write(plan, &self.settings, &surroundings);
         queue.write_buffer(&self.parts.buffers.frame, 0, frame);
-        let has_still = self.parts.still.is_some();
-        let wants = self.parts.kept.lock().decide(plan.views(), has_still, &mut self.steps);
+        let still = self.parts.still.as_ref().map(|still| still.id);
+        let wants = self.parts.kept.lock().decide(plan.views(), still, &mut self.steps);
         self.would_keep_still = wants && self.parts.layers.is_none();
         Ok(())
     }

@@ -1,5 +1,7 @@
 //! Maps of what stands: a tile is filled from them before what moves is drawn over it.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use umbrage_core::ShadowView;
 use umbrage_wgsl::{restore, restore_bindings};
 
@@ -13,6 +15,8 @@ use crate::objects::Objects;
 /// The maps of what stands, and what copies their tiles.
 #[derive(Clone, Debug)]
 pub(crate) struct StillMaps {
+    /// Tells them from the still maps of other copies of the same shadows.
+    pub id: u64,
     pub maps: Maps,
     restore: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
@@ -41,7 +45,8 @@ impl StillMaps {
         let still = [wgpu::BindingResource::TextureView(&maps.all)];
         let bound = buffers.bound().into_iter().chain(still);
         let group = bindings::group(objects, "StillMaps::group", &group_layout, bound);
-        Self { maps, restore, group }
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self { id: NEXT.fetch_add(1, Ordering::Relaxed), maps, restore, group }
     }
 
     /// Fills the tile of a view, in a pass that draws into that tile alone.

@@ -51,7 +51,7 @@ pub struct Args {
     /// Where the first cascade ends, metres; 3 % of the camera's far distance where it is not given
     #[arg(long)]
     pub first_bound: Option<f32>,
-    /// How maps are read: `hardware` is 2 x 2 PCF, `gaussian` Bevy's default
+    /// Maps are read so: `hardware` is 2 x 2 PCF, `gaussian` Bevy's default
     #[arg(long, default_value = "hardware", value_parser = ["hardware", "gaussian"])]
     pub filter: String,
     /// Frames a batch: Bevy pipelines frames, so that fewer say little

@@ -1,4 +1,4 @@
-//! How far the CPU runs ahead of the device: two frames in flight, as a window has them, and when each was done.
+//! The CPU runs two frames ahead of the device, as it does for a window, and notes when each was done.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -134,13 +134,20 @@ proptest! {
         let settings = Settings { fit: Fit::Scene, warp, select, depth, splits: 3, ..Settings::default() };
         let [tree, all] = [&bounds, &flat(&bounds)].map(|bounds| plan(&camera, &lights, bounds, &settings));
         let (tree, all) = (tree.expect("a plan"), all.expect("a plan"));
-        let fault = difference(&tree, &all);
+        let fault = difference(&tree, &all, &bounds);
         prop_assert!(fault.is_none(), "{}", fault.unwrap_or_default());
     }
 }
 
+/// Whether what touches one volume touches another, give or take a centimetre. A corner that rounding leaves between two planes
+/// may have a third.
+fn is_within(a: &ConvexVolume, b: &ConvexVolume, bounds: &Bounds) -> bool {
+    let boxes = bounds.objects().iter().filter(|aabb| !aabb.is_empty() && a.may_touch_box(aabb));
+    boxes.into_iter().all(|aabb| b.may_touch(aabb.min - 0.01, aabb.max + 0.01))
+}
+
 /// What is not the same in two plans but for the rounding of sums in another order.
-fn difference(a: &ShadowPlan, b: &ShadowPlan) -> Option<String> {
+fn difference(a: &ShadowPlan, b: &ShadowPlan, bounds: &Bounds) -> Option<String> {
     let near = |a: f64, b: f64, size: f64| (a - b).abs() <= 1e-9 * size;
     a.views().iter().zip(b.views()).find_map(|(a, b)| {
         let size =
@@ -148,7 +155,8 @@ fn difference(a: &ShadowPlan, b: &ShadowPlan) -> Option<String> {
         let matrices = a.clip_from_world.to_cols_array().into_iter().zip(b.clip_from_world.to_cols_array());
         let is_same = matrices.into_iter().all(|(x, y)| near(x, y, size(b.clip_from_world)))
             && near(f64::from(a.texel_metres), f64::from(b.texel_metres), 1e3 * f64::from(b.texel_metres))
-            && a.casters.planes().len() == b.casters.planes().len()
+            && is_within(&a.casters, &b.casters, bounds)
+            && is_within(&b.casters, &a.casters, bounds)
             && a.casters.is_empty() == b.casters.is_empty();
         (!is_same).then(|| format!("{a:#?}\n\nbut\n\n{b:#?}"))
     })

@@ -1,7 +1,7 @@
 //! Lists of draws from the table: what may touch a volume, part by part, joined where the device can draw it at once.
 
 use glam::Vec3;
-use umbrage::ConvexVolume;
+use umbrage::{Camera, ConvexVolume, ShadowPlan};
 
 use super::PartTable;
 use super::lists::{Draw, DrawLists};
@@ -9,6 +9,18 @@ use super::parts::{PartRow, Slot};
 use crate::cover::Cover;
 
 impl PartTable {
+    /// Makes all lists of a frame, as the renderer does: two for each of the plan's views, of what casts into it, culled or not;
+    /// then what the camera sees, and the veils before that.
+    pub fn list(&self, lists: &mut DrawLists, plan: &ShadowPlan, camera: &Camera, cull: bool) {
+        lists.clear();
+        for view in plan.views() {
+            self.add_casters(lists, cull.then_some(&view.casters));
+        }
+        let seen = ConvexVolume::of_clip(&camera.clip_from_world());
+        self.add_seen(lists, &seen, camera.eye());
+        self.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
+    }
+
     /// Appends two lists of draws of everything that casts shadows and may touch `volume`, or of all that casts where that is
     /// `None`: first of what stands, then of what [moves](Self::moves). Solid parts join whatever their materials are, since
     /// only their depth is drawn.
@@ -18,8 +30,8 @@ impl PartTable {
         let everything = ConvexVolume::default();
         let volume = volume.unwrap_or(&everything);
         self.touch(lists, volume);
-        self.list(lists, |instance| !self.moves(instance), |part| part.casts, joins);
-        self.list(lists, |_| true, |part| part.casts, joins);
+        self.take(lists, |instance| !self.moves(instance), |part| part.casts, joins);
+        self.take(lists, |_| true, |part| part.casts, joins);
     }
 
     /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
@@ -57,7 +69,7 @@ impl PartTable {
 
     /// Takes the slots of some instances from those that were found, and appends the draws of the wanted parts among them. A
     /// part that follows the last draw, on the same instances, joins it where it may.
-    fn list(
+    fn take(
         &self,
         lists: &mut DrawLists,
         is_taken: impl Fn(u32) -> bool,

@@ -2,13 +2,13 @@
 
 use std::sync::{Arc, OnceLock};
 
-use umbrage::{ConvexVolume, Shadows};
+use umbrage::Shadows;
 use web_time::Instant;
 
 use super::Renderer;
 use crate::buffers::Growing;
 use crate::drawn::{MapsId, Planned};
-use crate::draws::{Draw, DrawLists, PartTable};
+use crate::draws::{Draw, DrawLists};
 use crate::error::RenderError;
 use crate::exposure::Exposure;
 use crate::frame::Frame;
@@ -52,7 +52,7 @@ impl Renderer {
             planned.pose = Arc::clone(&frame.pose);
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
-            list(planned, parts, cull_parts);
+            parts.list(&mut planned.lists, &planned.plan, &planned.camera, cull_parts);
             if keep_tiles {
                 keys::name(&mut planned.plan, origin, &planned.lists, parts);
             }
@@ -67,18 +67,6 @@ impl Renderer {
         };
         plans.filled(shadows, make, fill)
     }
-}
-
-/// Lists what belongs to each of a plan's views, what the camera sees, and the veils before that.
-fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
-    let Planned { plan, camera, lists, .. } = planned;
-    lists.clear();
-    for view in plan.views() {
-        parts.add_casters(lists, cull_parts.then_some(&view.casters));
-    }
-    let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    parts.add_seen(lists, &seen, camera.eye());
-    parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }
 
 /// Counts what must be drawn into each of a plan's views.

@@ -20,9 +20,9 @@ fn key(still: u64, moving: Option<u64>) -> Option<ViewKey> {
 }
 
 /// What a plan draws, as letters: A all, S what stands, M what moves, R restored and nothing drawn; each with its view.
-fn drawn(kept: &mut Kept, keys: [Option<ViewKey>; 2], splits: bool) -> (String, bool) {
+fn drawn(kept: &mut Kept, keys: [Option<ViewKey>; 2], still_maps: Option<u64>) -> (String, bool) {
     let (plan, mut steps) = (plan_with(keys), Vec::new());
-    let would_save = kept.decide(plan.views(), splits, &mut steps);
+    let would_save = kept.decide(plan.views(), still_maps, &mut steps);
     let letter = |step: &Step| match step.share {
         Some(Share::All) => 'A',
         Some(Share::Still) => 'S',
@@ -31,7 +31,7 @@ fn drawn(kept: &mut Kept, keys: [Option<ViewKey>; 2], splits: bool) -> (String, 
     };
     let text =
         steps.iter().map(|step| format!("{}{}", letter(step), step.view)).collect::<Vec<_>>().join(" ");
-    steps.iter().for_each(|step| kept.record(step, &plan.views()[step.view]));
+    steps.iter().for_each(|step| kept.record(step, &plan.views()[step.view], still_maps));
     (text, would_save)
 }
 
@@ -39,7 +39,7 @@ fn drawn(kept: &mut Kept, keys: [Option<ViewKey>; 2], splits: bool) -> (String, 
 fn what_has_no_name_is_drawn_each_time() {
     let mut kept = Kept::default();
     for _ in 0..3 {
-        assert_eq!(drawn(&mut kept, [None, None], true), ("A0 A1".into(), false));
+        assert_eq!(drawn(&mut kept, [None, None], Some(4)), ("A0 A1".into(), false));
     }
 }
 
@@ -47,18 +47,18 @@ fn what_has_no_name_is_drawn_each_time() {
 fn a_tile_that_shows_what_is_asked_is_not_drawn_again() {
     let mut kept = Kept::default();
     let keys = [key(1, None), key(2, Some(7))];
-    assert_eq!(drawn(&mut kept, keys, false), ("A0 A1".into(), false));
-    assert_eq!(drawn(&mut kept, keys, false), (String::new(), false));
-    assert_eq!(drawn(&mut kept, [key(1, None), key(3, Some(7))], false), ("A1".into(), false));
-    assert_eq!(drawn(&mut kept, [key(1, Some(1)), key(3, Some(7))], false), ("A0".into(), true));
+    assert_eq!(drawn(&mut kept, keys, None), ("A0 A1".into(), false));
+    assert_eq!(drawn(&mut kept, keys, None), (String::new(), false));
+    assert_eq!(drawn(&mut kept, [key(1, None), key(3, Some(7))], None), ("A1".into(), false));
+    assert_eq!(drawn(&mut kept, [key(1, Some(1)), key(3, Some(7))], None), ("A0".into(), true));
     kept.forget();
-    assert_eq!(drawn(&mut kept, [key(1, Some(1)), key(3, Some(7))], false).0, "A0 A1");
+    assert_eq!(drawn(&mut kept, [key(1, Some(1)), key(3, Some(7))], None).0, "A0 A1");
 }
 
 #[test]
 fn what_stands_is_drawn_once_where_what_moves_goes_on() {
     let mut kept = Kept::default();
-    let frame = |kept: &mut Kept, moving| drawn(kept, [key(1, moving), key(2, None)], true).0;
+    let frame = |kept: &mut Kept, moving| drawn(kept, [key(1, moving), key(2, None)], Some(4)).0;
     assert_eq!(frame(&mut kept, Some(1)), "A0 A1", "it may never be asked for again");
     assert_eq!(frame(&mut kept, Some(2)), "S0 M0");
     assert_eq!(frame(&mut kept, Some(3)), "M0");
@@ -71,23 +71,23 @@ fn what_stands_is_drawn_once_where_what_moves_goes_on() {
 fn a_change_forgets_the_tiles_whose_casters_it_touches() {
     let mut kept = Kept::default();
     let keys = [key(1, None), key(2, None)];
-    drawn(&mut kept, keys, false);
+    drawn(&mut kept, keys, None);
     let far = Vec3::splat(1e6);
     kept.forget_touching(&Aabb { min: far, max: far + 1.0 });
-    assert_eq!(drawn(&mut kept, keys, false).0, "");
+    assert_eq!(drawn(&mut kept, keys, None).0, "");
     kept.forget_touching(&Aabb { min: Vec3::splat(-50.0), max: Vec3::splat(50.0) });
-    assert_eq!(drawn(&mut kept, keys, false).0, "A0 A1");
+    assert_eq!(drawn(&mut kept, keys, None).0, "A0 A1");
 }
 
 #[test]
 fn tiles_that_lie_otherwise_belong_to_another_plan() {
     let mut kept = Kept::default();
     let keys = [key(1, None), key(2, None)];
-    drawn(&mut kept, keys, false);
+    drawn(&mut kept, keys, None);
     let mut views = plan_with(keys).views().to_vec();
     views[1].tile.size /= 2;
     let mut steps = Vec::new();
-    kept.decide(&views, false, &mut steps);
+    kept.decide(&views, None, &mut steps);
     assert_eq!(steps.len(), 2, "the first may lie across the second's old tile");
 }
 
@@ -97,9 +97,19 @@ fn boxes_that_changed_under_a_kept_tile_are_found() {
     let keys = [key(1, None), None];
     let view = plan_with(keys).views()[0].clone();
     assert!(!kept.is_stale(&view, 5), "nothing is drawn");
-    drawn(&mut kept, keys, false);
+    drawn(&mut kept, keys, None);
     assert!(!kept.is_stale(&view, 5));
     assert!(kept.is_stale(&view, 6));
     kept.forget_touching(&Aabb { min: Vec3::splat(-50.0), max: Vec3::splat(50.0) });
     assert!(!kept.is_stale(&view, 6), "it was said");
+}
+
+#[test]
+fn what_stands_in_the_maps_of_another_copy_is_drawn_anew() {
+    let mut kept = Kept::default();
+    let mut frame = |moving, maps| drawn(&mut kept, [key(1, Some(moving)), None], Some(maps)).0;
+    assert_eq!(frame(1, 4), "A0 A1");
+    assert_eq!(frame(2, 4), "S0 M0 A1");
+    assert_eq!(frame(3, 5), "S0 M0 A1", "another texture");
+    assert_eq!(frame(4, 5), "M0 A1");
 }

@@ -77,7 +77,7 @@ impl Shadows {
         self.check_view(view)?;
         let mut pass = self.drawn().begin(encoder, view, timestamps);
         let step = Step { view: view.index, target: Target::Maps, share: Some(Share::All), restores: false };
-        self.parts.kept.lock().record(&step, view);
+        self.parts.kept.lock().record(&step, view, None);
         pass.set_bind_group(0, &self.parts.buffers.caster_group, &[offset(view)]);
         Ok(pass)
     }
@@ -120,8 +120,8 @@ impl Shadows {
         timestamp_writes: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) -> Result<(), ShadowError> {
         self.check_plan(plan)?;
-        let drawn = self.parts.kept.lock().take_drawn();
-        let views = plan.views().iter().filter(|view| drawn.get(view.index) == Some(&true));
+        let mut kept = self.parts.kept.lock();
+        let views = plan.views().iter().filter(|view| kept.is_drawn(view));
         if let Some(layers) = &self.parts.layers {
             layers.join(encoder, &self.parts.maps, views.clone());
         }
@@ -130,6 +130,7 @@ impl Shadows {
             let descriptor = wgpu::ComputePassDescriptor { label, timestamp_writes };
             filtered.record(&mut encoder.begin_compute_pass(&descriptor), views);
         }
+        kept.forget_drawn();
         Ok(())
     }
 

@@ -1,4 +1,4 @@
-//! How a batch of frames is timed: as a window draws them, and then pass by pass.
+//! A batch of frames is timed as a window draws them, and then pass by pass.
 //!
 //! A window hands frames over and does not wait for them, so that the CPU plans one while the device draws another; what
 //! a frame costs is then the time between two that are done, and only the mean over some of them is steady. A device may not
