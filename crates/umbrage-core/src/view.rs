@@ -47,6 +47,10 @@ pub struct ShadowView {
     pub tile: Tile,
     /// Whether casters before the near plane must be flattened onto it.
     pub unclipped_depth: bool,
+    /// How far the casters that are drawn may lie from those that are meant, metres: 0, unless
+    /// [`ShadowPlan::set_caster_error`](crate::ShadowPlan::set_caster_error) says otherwise. Lookups stand off their surface
+    /// by as much more.
+    pub caster_error: f32,
 }
 
 impl ShadowView {

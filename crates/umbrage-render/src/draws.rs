@@ -3,18 +3,25 @@
 //! The unit is (instance, part). Their boxes are in one tree, which plans and lists are made from; it is refitted where a pose
 //! moves something. Today the lists are made here, on the CPU; whoever moves them to the GPU moves this file.
 
+mod detail;
+mod levels;
 mod lists;
+mod open;
 mod parts;
 mod touched;
 
 use glam::Vec3;
-use umbrage::{Aabb, Bounds, ConvexVolume};
+use umbrage::{Aabb, Bounds, ConvexVolume, ShadowView};
 use umbrage_scene::{Instance, Pose, Scene};
 
-pub use lists::{Draw, DrawLists};
+pub use lists::{Draw, DrawLists, Geometry};
 
+use crate::caster_geometry::MeshLevels;
 use crate::cover::Cover;
 use crate::posed::Posed;
+use detail::Detail;
+use levels::Levels;
+use open::Open;
 use parts::{PartRow, Slot};
 
 /// Every (part, instance) of a scene with its world box, ordered by cover, mesh, mirroring, casting, part and instance.
@@ -28,6 +35,8 @@ pub struct PartTable {
     firsts: Vec<u32>,
     /// The boxes of all slots, which is what is planned for: those of skies hold nothing.
     bounds: Bounds,
+    /// The levels of detail that cast in the place of parts, as soon as there are any.
+    levels: Option<Levels>,
     /// The boxes of skies, and the numbers of their slots, in order.
     skies: Bounds,
     sky_slots: Vec<u32>,
@@ -58,6 +67,7 @@ impl PartTable {
             bounds: Bounds::new(boxes.collect()),
             skies,
             sky_slots,
+            levels: None,
             parts,
             slots,
             slots_of_instances,
@@ -106,7 +116,7 @@ impl PartTable {
     /// Makes the boxes of what the pose moved.
     fn place(&mut self) {
         let Self { parts, slots, slots_of_instances, firsts, bounds, skies, sky_slots, .. } = self;
-        let Self { posed, moves, epochs, .. } = self;
+        let Self { posed, moves, epochs, levels, .. } = self;
         for part in parts.iter_mut() {
             if let Some((shape, number)) = part.bent.filter(|(shape, _)| posed.bent[*shape]) {
                 part.local = posed.local(shape, number);
@@ -128,6 +138,9 @@ impl PartTable {
             let place = |number: &u32| sky_slots.binary_search(number).ok();
             skies.set(skies_moved.filter_map(|(number, slot)| Some(boxed(place(&number)?, slot))));
         }
+        if let Some(levels) = levels {
+            levels.place(posed);
+        }
     }
 
     /// Returns what the planner needs to know of the world: all of it but skies, which would be most of every map and show
@@ -145,9 +158,55 @@ impl PartTable {
     /// Appends the draws of everything that casts shadows and may touch `volume`, or of all that casts where that is `None`.
     /// Solid parts join whatever their materials are, since only their depth is drawn.
     pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
+        self.add_detailed(lists, volume.unwrap_or(&ConvexVolume::default()), &Detail::FULL);
+    }
+
+    /// Appends the draws of the casters of a view, in levels of detail that lie within so many texels of them, and leaves out
+    /// what covers no texel's centre. Returns how far from a caster any level lies that is drawn, metres.
+    pub fn add_casters_of(&self, lists: &mut DrawLists, view: &ShadowView, texels: f32) -> f32 {
+        self.add_detailed(lists, &view.casters, &Detail::of(view, texels))
+    }
+
+    fn add_detailed(&self, lists: &mut DrawLists, volume: &ConvexVolume, detail: &Detail) -> f32 {
+        let DrawLists { instances, draws, ends, touched } = lists;
+        let mut open = Open::after(draws.len());
         let joins =
             |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
-        self.add(lists, volume.unwrap_or(&ConvexVolume::default()), |part| part.casts, joins);
+        let mut farthest = 0.0f32;
+        if let Some(levels) = &self.levels {
+            touched.make_room(levels.slots.len());
+            levels.boxes.touching(volume, |number| touched.insert(number));
+            touched.drain(|number| {
+                let Some(error) = levels.error(number, detail, &self.posed) else { return };
+                if !levels.is_missed(number, detail) {
+                    farthest = farthest.max(error);
+                    open.add(levels.slots[number as usize], &levels.rows, instances, draws, joins);
+                }
+            });
+            open.close(&levels.rows, instances, draws, joins);
+        }
+        self.touch(touched, volume);
+        touched.drain(|number| {
+            let slot = self.slots[number as usize];
+            let row = &self.parts[slot.part as usize];
+            let has_stand_in = self.levels.as_ref().is_some_and(|levels| levels.stand_in_for(row));
+            if row.casts && !has_stand_in {
+                open.add(slot, &self.parts, instances, draws, joins);
+            }
+        });
+        open.close(&self.parts, instances, draws, joins);
+        ends.push(draws.len());
+        farthest
+    }
+
+    /// Returns which parts of each mesh may have levels of detail, by number.
+    pub(crate) fn with_levels(&self, scene: &Scene) -> Vec<Vec<bool>> {
+        parts::with_levels(scene, &self.posed.shapes)
+    }
+
+    /// Lets levels of detail cast in the place of parts from now on.
+    pub(crate) fn set_levels(&mut self, meshes: &[MeshLevels]) {
+        self.levels = Some(Levels::new(&self.parts, &self.slots, &self.posed, meshes));
     }
 
     /// Appends the draws of everything but veils that may touch `volume`, each with one material.
@@ -197,64 +256,25 @@ impl PartTable {
         self.skies.touching(volume, |sky| touched.insert(self.sky_slots[sky as usize]));
     }
 
-    /// Appends the draws of wanted parts that may touch a volume. A part that follows the last draw, on the same instances,
-    /// joins it where it may.
+    /// Appends the draws of wanted parts that may touch a volume.
     fn add(
         &self,
         lists: &mut DrawLists,
         volume: &ConvexVolume,
         is_wanted: impl Fn(&PartRow) -> bool,
-        may_join: impl Fn(&Draw, &PartRow) -> bool,
+        may_join: impl Fn(&Draw, &PartRow) -> bool + Copy,
     ) {
         let DrawLists { instances, draws, ends, touched } = lists;
-        let first = draws.len();
+        let mut open = Open::after(draws.len());
         self.touch(touched, volume);
-        // The part whose instances are being listed.
-        let (mut open, mut start) = (None, 0);
         touched.drain(|number| {
-            let Slot { part, instance } = self.slots[number as usize];
-            let row = &self.parts[part as usize];
-            if !is_wanted(row) {
-                return;
+            let slot = self.slots[number as usize];
+            if is_wanted(&self.parts[slot.part as usize]) {
+                open.add(slot, &self.parts, instances, draws, may_join);
             }
-            if open != Some(part) {
-                if let Some(open) = open {
-                    self.close(open, start, first, instances, draws, &may_join);
-                }
-                (open, start) = (Some(part), instances.len());
-            }
-            instances.push(instance);
         });
-        if let Some(open) = open {
-            self.close(open, start, first, instances, draws, &may_join);
-        }
+        open.close(&self.parts, instances, draws, may_join);
         ends.push(draws.len());
-    }
-
-    /// Appends the draw of a part whose instances are listed from `start` on, or joins it to the last of the view's draws,
-    /// which begin at `first`.
-    fn close(
-        &self,
-        part: u32,
-        start: usize,
-        first: usize,
-        instances: &mut Vec<u32>,
-        draws: &mut Vec<Draw>,
-        may_join: impl Fn(&Draw, &PartRow) -> bool,
-    ) {
-        let part = &self.parts[part as usize];
-        if let Some(last) = draws[first..].last_mut() {
-            let follows = last.indices.end == part.indices.start
-                && last.base_vertex == part.base_vertex
-                && last.cover == part.cover;
-            let before = last.instances.start as usize..last.instances.end as usize;
-            if follows && may_join(last, part) && instances[before] == instances[start..] {
-                last.indices.end = part.indices.end;
-                instances.truncate(start);
-                return;
-            }
-        }
-        draws.push(part.draw(start as u32..instances.len() as u32));
     }
 }
 

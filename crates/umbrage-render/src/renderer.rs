@@ -14,6 +14,7 @@ pub use area::AreaRendered;
 pub use bent::BentVertices;
 
 use crate::buffers::Growing;
+use crate::caster_geometry::{CasterGeometry, CasterLevels};
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
 use crate::draws::{Draw, DrawLists, PartTable};
 use crate::error::RenderError;
@@ -35,6 +36,8 @@ pub struct Renderer {
     gpu: Gpu,
     scene: Arc<SceneBuffers>,
     parts: PartTable,
+    /// The levels of detail that `parts` draws.
+    levels: Option<Arc<CasterGeometry>>,
     shadows: Shadows,
     /// What was drawn into the shadow maps.
     maps: MapsId,
@@ -49,6 +52,9 @@ pub struct Renderer {
     timer: PassTimer,
     /// Whether parts that no view needs are left out, which they are unless this is off: to measure what it saves.
     pub cull_parts: bool,
+    /// Whether the first frame waits until casters have their levels of detail, which it does unless this is off: they take a
+    /// second or so a million triangles. A frame that does not wait draws casters as they are until then.
+    pub waits_for_levels: bool,
 }
 
 impl Renderer {
@@ -58,7 +64,8 @@ impl Renderer {
     /// When a setting is out of range, or something exceeds the adapter's limits.
     pub fn new(gpu: &Gpu, scene: &Scene, settings: Settings) -> Result<Self, RenderError> {
         let parts = PartTable::new(scene);
-        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers()))?;
+        let levels = CasterLevels::begin(scene, parts.with_levels(scene));
+        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers(), levels))?;
         Self::with_buffers(gpu, Arc::new(buffers), parts, settings)
     }
 
@@ -92,7 +99,9 @@ impl Renderer {
             targets: Targets::default(),
             lights: Vec::new(),
             timer: PassTimer::new(gpu)?,
+            levels: None,
             cull_parts: true,
+            waits_for_levels: true,
         })
     }
 
@@ -229,6 +238,7 @@ impl Renderer {
     /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
     fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
+        self.take_levels();
         let Self { gpu, scene, parts, shadows, lights, timer, .. } = self;
         let origin = frame.camera.local_origin();
         scene.move_to(gpu, timer, origin, &frame.pose);
@@ -273,13 +283,24 @@ impl Renderer {
         Ok(planned)
     }
 
+    /// Draws levels of detail from now on, if they are there now.
+    fn take_levels(&mut self) {
+        if self.levels.is_none() {
+            self.levels = self.scene.levels.get(&self.gpu, self.waits_for_levels);
+            if let Some(levels) = &self.levels {
+                self.parts.set_levels(&levels.meshes);
+            }
+        }
+    }
+
     fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {
-        let Self { gpu, scene, shadows, casters, timer, .. } = self;
+        let Self { gpu, scene, levels, shadows, casters, timer, .. } = self;
+        let levels = levels.as_deref();
         let Planned { plan, lists, numbers, .. } = planned;
         let mut encoder = gpu.encoder("Renderer::casters");
         let draw = |mut casting: Casting<'_>, surface: Surface| {
             while let Some((pass, view)) = casting.next_view() {
-                casters.record(pass, view, surface, scene, &numbers.buffer, lists.view(view.index));
+                casters.record(pass, view, surface, scene, levels, &numbers.buffer, lists.view(view.index));
             }
         };
         // A timer whose passes never begin would wait for them.
@@ -332,8 +353,15 @@ fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
     let Planned { plan, camera, lists, loads, .. } = planned;
     lists.clear();
     loads.clear();
-    for (i, view) in plan.views().iter().enumerate() {
-        parts.add_casters(lists, cull_parts.then_some(&view.casters));
+    for i in 0..plan.views().len() {
+        let view = &plan.views()[i];
+        if cull_parts {
+            let error = parts.add_casters_of(lists, view, plan.settings().caster_error);
+            plan.set_caster_error(i, error);
+        } else {
+            parts.add_casters(lists, None);
+        }
+        let view = &plan.views()[i];
         let draws = lists.view(i);
         let triangles = draws.iter().map(Draw::triangles).sum();
         loads.push(ViewLoad { light: view.light, split: view.split, draws: draws.len(), triangles });

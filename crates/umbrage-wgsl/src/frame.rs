@@ -22,6 +22,7 @@ shared_with_shaders! {
         near_metres: f32,
         light_kind: u32,
         depth_scale: Vec3,
+        caster_error: f32,
         local_origin: Vec3,
         lattice: UVec2,
     }
@@ -210,6 +211,7 @@ fn view(plan: &ShadowPlan, origin: DVec3, view: &ShadowView) -> View {
         near_metres: view.near_metres,
         light_kind: plan.lights().get(view.light).map_or(0, |light| kind_number(light.kind())),
         depth_scale: view.depth_scale,
+        caster_error: view.caster_error,
         local_origin: view.local_origin(origin),
         lattice: UVec2::from_array(view.lattice()),
     }

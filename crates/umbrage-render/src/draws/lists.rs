@@ -8,7 +8,9 @@ use crate::cover::Cover;
 /// One draw: a range of indices, for a run of instances in the list of instance numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draw {
-    /// The range of the scene's index buffer.
+    /// The buffers that it reads.
+    pub geometry: Geometry,
+    /// The range of the index buffer.
     pub indices: Range<u32>,
     /// The number that is added to every index.
     pub base_vertex: i32,
@@ -22,6 +24,15 @@ pub struct Draw {
     pub depth: f32,
     /// The range of the list of instance numbers.
     pub instances: Range<u32>,
+}
+
+/// Draws read one of a scene's geometries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Geometry {
+    /// They read the meshes as they are, with all of their attributes.
+    Meshes,
+    /// They read what meshes cast with: positions alone, of all levels of detail.
+    Levels,
 }
 
 /// The draws of several views, and the instance numbers that they refer to. What is cleared keeps its room, so that lists

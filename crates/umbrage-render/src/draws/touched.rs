@@ -44,6 +44,6 @@ mod tests {
             all
         };
         assert_eq!(all(), [0, 63, 64, 128, 199]);
-        assert_eq!(all(), []);
+        assert_eq!(all(), [0u32; 0]);
     }
 }

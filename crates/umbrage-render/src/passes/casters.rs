@@ -3,8 +3,9 @@
 
 use umbrage::{CasterPipeline, CasterStage, ShadowView, Shadows, caster_wgsl, second_caster_wgsl};
 
+use crate::caster_geometry::CasterGeometry;
 use crate::cover::Cover;
-use crate::draws::Draw;
+use crate::draws::{Draw, Geometry};
 use crate::gpu::Gpu;
 use crate::placement::Placement;
 use crate::scene_buffers::{CASTER_BUFFERS, RECEIVER_BUFFERS, SceneBuffers};
@@ -67,6 +68,7 @@ impl Casters {
         view: &ShadowView,
         surface: Surface,
         scene: &SceneBuffers,
+        levels: Option<&CasterGeometry>,
         instance_numbers: &wgpu::Buffer,
         draws: &[Draw],
     ) {
@@ -87,13 +89,16 @@ impl Casters {
                 pass.set_pipeline(&by_mirroring[usize::from(draw.mirrored)]);
                 set = Some((draw.cover, draw.mirrored));
             }
-            if buffers != Some(is_solid) {
-                if is_solid {
-                    scene.bind_casters(pass, instance_numbers);
-                } else {
-                    scene.bind_surfaces(pass, instance_numbers);
+            if buffers != Some((draw.geometry, is_solid)) {
+                match (draw.geometry, is_solid) {
+                    (Geometry::Levels, _) => {
+                        let Some(levels) = levels else { continue };
+                        levels.bind(pass, instance_numbers);
+                    }
+                    (Geometry::Meshes, true) => scene.bind_casters(pass, instance_numbers),
+                    (Geometry::Meshes, false) => scene.bind_surfaces(pass, instance_numbers),
                 }
-                buffers = Some(is_solid);
+                buffers = Some((draw.geometry, is_solid));
             }
             if !is_solid && material != Some(draw.material) {
                 pass.set_bind_group(2, &scene.materials.groups[draw.material as usize], &[]);

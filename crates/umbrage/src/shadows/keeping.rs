@@ -85,7 +85,7 @@ fn name(view: &ShadowView) -> u64 {
 /// A number of the boxes whose casters a view may draw.
 fn boxes_within(view: &ShadowView, bounds: &Bounds) -> u64 {
     let mut state = DefaultHasher::new();
-    for aabb in bounds.objects.iter().filter(|aabb| view.casters.may_touch_box(aabb)) {
+    for aabb in bounds.objects().iter().filter(|aabb| view.casters.may_touch_box(aabb)) {
         [aabb.min, aabb.max].map(|corner| corner.to_array().map(f32::to_bits)).hash(&mut state);
     }
     state.finish()
