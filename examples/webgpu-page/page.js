@@ -71,6 +71,7 @@ async function main() {
     umbrage_current_view: viewBuffer,
     umbrage_map: mapTexture.createView({ dimension: "2d-array" }),
     umbrage_compare: device.createSampler(maps.compare_sampler),
+    umbrage_nearest: device.createSampler(),
   };
   const group = (list) => {
     const layout = device.createBindGroupLayout({ entries: list.map(entry) });

@@ -2,8 +2,8 @@
 //! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
 //! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask filters` compares every
 //! filter in `docs/filters.md`, `cargo xtask field` measures scenes that are far or large or small in `docs/field.md`,
-//! `cargo xtask pictures` draws the pictures of the documents, `cargo xtask web` builds the
-//! web page.
+//! `cargo xtask peers` sets Umbrage beside other renderers in `docs/peers.md`, `cargo xtask pictures` draws the pictures of
+//! the documents, `cargo xtask web` builds the web page.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage`, and joins and copies what that leaves.
 
@@ -13,6 +13,7 @@ mod command;
 mod error;
 mod field;
 mod filters;
+mod peers;
 mod pictures;
 mod reports;
 mod results;
@@ -78,6 +79,8 @@ enum Chore {
     },
     /// Measures by distance from the origin and by scale, in docs/field.md
     Field(field::Args),
+    /// Sets Umbrage beside other renderers on the same worlds, in docs/peers.md
+    Peers(peers::Args),
     /// Draws the pictures of the documents
     Pictures,
     #[cfg(feature = "web")]
@@ -98,6 +101,7 @@ fn main() -> anyhow::Result<()> {
         Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
         Chore::Filters { adapter, pages } => filters::write(adapter.as_deref(), pages.as_deref()),
         Chore::Field(args) => field::write(&args),
+        Chore::Peers(args) => peers::write(&args),
         Chore::Pictures => pictures::draw(),
         #[cfg(feature = "web")]
         Chore::Web { out } => web::build(&out),

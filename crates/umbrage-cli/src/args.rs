@@ -12,7 +12,7 @@ use glam::Vec3;
 use umbrage_render::Exposure;
 
 pub use draw::{DemoArgs, RenderArgs, SheetArgs, ViewArgs};
-pub use measure::{BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
+pub use measure::{BaselineArg, BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
 pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WgslArgs, WorldsArgs, WorldsCommand};
 
 /// Real-time shadows for large worlds: draw them, plan them, compare them, time them.

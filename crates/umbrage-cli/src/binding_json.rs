@@ -64,6 +64,7 @@ fn kind_of(kind: BindingKind) -> Kind {
             sampler_type: match kind {
                 SamplerKind::Comparison => "comparison",
                 SamplerKind::Filtering => "filtering",
+                SamplerKind::NonFiltering => "non-filtering",
             },
         },
     }

@@ -69,7 +69,7 @@ fn plan_json_tells_a_foreign_renderer_everything() {
         bindings.map(|binding| binding["name"].as_str().expect("a name").to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(names("caster"), ["umbrage_frame", "umbrage_current_view"]);
-    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_compare"]);
+    assert_eq!(names("receiver"), ["umbrage_frame", "umbrage_map", "umbrage_nearest"]);
     let frame = plan["frame"].as_str().expect("base64");
     assert!(frame.len() > 6 * 128 * 4 / 3 && frame.len().is_multiple_of(4), "{} letters", frame.len());
 }
@@ -152,6 +152,19 @@ fn bench_json_has_the_keys_that_scripts_rely_on() {
             }
         }
     }
+    let one = json(&[
+        "bench",
+        "primitives",
+        "--json",
+        "-",
+        "--frames",
+        "1",
+        "--size",
+        "64x36",
+        "--redraw",
+        "--baselines=no-shadows",
+    ]);
+    assert!(one["baselines"]["no_shadows"].is_object() && one["baselines"]["no_culling"].is_null(), "{one}");
     for view in bench["views"].as_array().expect("views") {
         assert!(["split", "draws", "triangles"].iter().all(|key| view[key].is_u64()), "{view}");
     }

@@ -92,6 +92,41 @@ fn a_view_of_nothing_has_no_pixels_to_judge() {
     );
 }
 
+#[test]
+fn pictures_of_another_renderer_are_judged_beside_ours() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let draw = |name: &str, grey: u8, width: u32| {
+        let picture = image::GrayImage::from_pixel(width, 90, image::Luma([grey]));
+        picture.save(folder.path().join(name)).expect("a picture");
+    };
+    let pictures = ["--frames", "0", "--pictures", text(folder.path())];
+    let refused = |world: &str, status: i32, words: &[&str]| {
+        let args = ["measure", world, "--size", "160x90"];
+        refused(&[&args[..], &pictures[..]].concat(), status, words);
+    };
+    refused("primitives", 1, &["cannot read", "lit.png"]);
+    draw("lit.png", 200, 160);
+    draw("unshadowed.png", 200, 160);
+    draw("ambient.png", 60, 80);
+    refused("primitives", 1, &["ambient.png", "80 x 90", "160 x 90"]);
+    draw("ambient.png", 60, 160);
+    refused("village-fair", 2, &["one light", "--light"]);
+    let measured = measured(&pictures);
+    let number = |pointer: &str| {
+        measured.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("{pointer}"))
+    };
+    // Nothing is shadowed in these: all that should be is falsely lit.
+    let share = number("/truth/shadowed") / number("/truth/pixels");
+    assert!((number("/pictures/error/false_light") - share).abs() < 1e-9, "{measured}");
+    assert_eq!(number("/pictures/pixels"), number("/truth/pixels"), "every pixel tells");
+    assert!(
+        (number("/pictures/ours/mis_shadowed") - number("/error/mis_shadowed")).abs() < 1e-9,
+        "{measured}"
+    );
+    std::fs::write(folder.path().join("lit.png"), "no picture").expect("a file");
+    refused("primitives", 1, &["cannot decode", "lit.png"]);
+}
+
 /// Two ways, two cameras, no times: everything in it is reproducible to the last bit.
 const EXPERIMENT: &str = r#"
 title = "Small"

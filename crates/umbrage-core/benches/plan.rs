@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::Vec3;
-use umbrage_core::{Aabb, Bounds, Camera, Fit, Light, Projection, Settings, Warp, plan};
+use umbrage_core::{Aabb, Bounds, Camera, ConvexVolume, Fit, Light, Projection, Settings, Warp, plan};
 
 /// What is planned, and whether the objects of the world matter to it.
 struct Technique {
@@ -72,28 +72,59 @@ fn techniques() -> Vec<Technique> {
     ]
 }
 
+/// Boxes of 10 × 20 × 10 m on a lattice, 37 m apart, in a world that is a little larger.
+fn world(objects: usize) -> Bounds {
+    let row = (objects as f32).sqrt().ceil() as usize;
+    let half = (row as f32 * 37.0 * 0.5).max(600.0);
+    let boxes = (0..objects).map(|i| {
+        let min = Vec3::new((i % row) as f32 * 37.0 - half, 0.0, (i / row) as f32 * 37.0 - half);
+        Aabb { min, max: min + Vec3::new(10.0, 20.0, 10.0) }
+    });
+    let world = Aabb { min: Vec3::new(-half, 0.0, -half), max: Vec3::new(half, 40.0, half) };
+    Bounds::within(world, boxes.collect())
+}
+
 fn plans(criterion: &mut Criterion) {
     let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.6 };
     let camera = Camera::looking(Vec3::new(0.0, 20.0, 400.0), Vec3::ZERO, Vec3::Y, projection, 1.0, 800.0);
     let camera = camera.expect("a good camera");
-    let world = Aabb { min: Vec3::new(-600.0, 0.0, -600.0), max: Vec3::new(600.0, 40.0, 600.0) };
-    let objects: Vec<Aabb> = (0..1000)
-        .map(|i| {
-            let min = Vec3::new((i % 32) as f32 * 37.0 - 600.0, 0.0, (i / 32) as f32 * 37.0 - 600.0);
-            Aabb { min, max: min + Vec3::new(10.0, 20.0, 10.0) }
-        })
-        .collect();
-    let [boxed, full] = [Vec::new(), objects].map(|objects| Bounds::within(world, objects));
+    let worlds = [("box only", world(0)), ("1000 objects", world(1000)), ("50000 objects", world(50_000))];
     for Technique { name, settings, lights, looks_at_objects } in techniques() {
-        for (contents, bounds) in [("box only", &boxed), ("1000 objects", &full)] {
-            if contents == "1000 objects" && !looks_at_objects {
-                continue;
-            }
+        for (contents, bounds) in worlds.iter().take(if looks_at_objects { 3 } else { 1 }) {
             let mut reused = plan(&camera, &lights, bounds, &settings).expect("a plan");
             criterion.bench_function(&format!("{name}, {contents}"), |bencher| {
                 bencher.iter(|| reused.replan(&camera, &lights, bounds, &settings));
             });
         }
+    }
+}
+
+/// Telling a world's bounds what moved, and finding what a camera sees of it.
+fn moves(criterion: &mut Criterion) {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.6 };
+    let camera = Camera::looking(Vec3::new(0.0, 20.0, 400.0), Vec3::ZERO, Vec3::Y, projection, 1.0, 800.0);
+    let seen = ConvexVolume::of_clip(&camera.expect("a good camera").clip_from_world());
+    let mut bounds = world(50_000);
+    criterion.bench_function("what is seen of 50000 objects", |bencher| {
+        bencher.iter(|| {
+            let mut count = 0;
+            bounds.touching(&seen, |_| count += 1);
+            count
+        });
+    });
+    let home = bounds.objects().to_vec();
+    for (name, every) in [("1 in 100", 100), ("all", 1)] {
+        let mut aside = 0.0;
+        criterion.bench_function(&format!("{name} of 50000 objects move"), |bencher| {
+            bencher.iter(|| {
+                aside = 1.0 - aside;
+                let moved = home.iter().enumerate().step_by(every).map(|(i, at)| {
+                    let [min, max] = [at.min, at.max].map(|corner| corner + Vec3::X * aside);
+                    (i, Aabb { min, max })
+                });
+                bounds.set(moved);
+            });
+        });
     }
 }
 
@@ -105,5 +136,5 @@ fn short() -> Criterion {
         .measurement_time(Duration::from_millis(500))
 }
 
-criterion_group! { name = benches; config = short(); targets = plans }
+criterion_group! { name = benches; config = short(); targets = plans, moves }
 criterion_main!(benches);

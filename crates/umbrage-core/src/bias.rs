@@ -78,7 +78,8 @@ impl Settings {
         let sine = (1.0 - cosine * cosine).sqrt();
         let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
         let texel_metres = texel_basis.texel_metres();
-        // What lies so far off across the surface lies so many times farther along the light.
+        // What lies so far off across the surface lies so many times farther along the light. Bends and levels of detail are
+        // seldom at their farthest together, so their squares are added.
         let along_light = (1.0 + tangent * tangent).sqrt();
         let bend = bias.bend * texel_metres * along_light;
         let texels = bias.normal * self.filter.offset_reach_texels(texel_metres);
@@ -89,8 +90,7 @@ impl Settings {
             },
             toward_light: bias.constant
                 + bias.slope * texel_metres * tangent
-                + caster_error * along_light
-                + OWN_TEXEL * bend,
+                + (OWN_TEXEL * bend).hypot(caster_error * along_light),
             bend,
         }
     }

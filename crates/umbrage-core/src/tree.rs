@@ -3,8 +3,8 @@
 //!
 //! It is binary, all leaves are equally deep, and each has as many boxes as any other, give or take one. So children, and the
 //! boxes below a node, are arithmetic, and nothing but a box is kept of a node: node n has the children 2n and 2n + 1, and the
-//! k-th node of the 2^d at a depth d holds the places from ⌊k · boxes / 2^d⌋ to ⌊(k + 1) · boxes / 2^d⌋ of the order. Building
-//! it splits boxes at their median along the longest axis of their middles.
+//! k-th node of the 2^d at a depth d holds the places from ⌊k · boxes / 2^d⌋ to ⌊(k + 1) · boxes / 2^d⌋ of the order. The order
+//! is that of the boxes' middles along a curve that fills space (Morton 1966), so that building it is sorting.
 
 use std::ops::Range;
 
@@ -28,6 +28,8 @@ pub(crate) struct Tree {
     nodes: Vec<Aabb>,
     /// The numbers of all boxes, leaf by leaf.
     order: Vec<u32>,
+    /// Room to sort them in.
+    sorted: Vec<(u64, u32)>,
     /// The node that each box is a leaf's of.
     leaves: Vec<u32>,
     /// The surface of all nodes when it was built, in half square metres.
@@ -131,15 +133,12 @@ impl Tree {
     fn build(&mut self, boxes: &[Aabb]) {
         self.nodes.clear();
         self.order.clear();
-        self.order.extend(0..boxes.len() as u32);
+        sort(boxes, &mut self.sorted);
+        self.order.extend(self.sorted.iter().map(|(_, number)| *number));
         if boxes.is_empty() {
             return;
         }
         self.depth = boxes.len().div_ceil(LEAF).next_power_of_two().ilog2();
-        for node in 1..1 << self.depth {
-            let (places, middle) = (self.places(node), self.places(2 * node).end);
-            split(&mut self.order[places.clone()], middle - places.start, boxes);
-        }
         self.nodes.resize(2 << self.depth, Aabb::EMPTY);
         self.is_stale.resize(self.nodes.len(), false);
         self.leaves.resize(boxes.len(), 0);
@@ -189,19 +188,37 @@ fn note(stale: &mut Vec<u32>, is_stale: &mut [bool], node: u32) {
     }
 }
 
-/// Puts those boxes first whose middles lie first along the axis on which they spread most: `first` of them.
-fn split(order: &mut [u32], first: usize, boxes: &[Aabb]) {
-    let middle = |number: &u32| boxes[*number as usize].middle();
-    let (min, max) = order
-        .iter()
-        .filter_map(middle)
-        .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(min, max), p| (min.min(p), max.max(p)));
-    let axis = (max - min).max_position();
-    // What holds nothing comes last.
-    let key = |number: &u32| middle(number).map_or(f32::INFINITY, |middle| middle[axis]);
-    if first < order.len() {
-        order.select_nth_unstable_by(first, |a, b| key(a).total_cmp(&key(b)));
-    }
+/// Sorts boxes by their middles' places on the curve. Those that hold nothing come last.
+fn sort(boxes: &[Aabb], sorted: &mut Vec<(u64, u32)>) {
+    let middles = || boxes.iter().map(|aabb| aabb.middle());
+    let around = |(min, max): (Vec3, Vec3), p| (min.min(p), max.max(p));
+    let (min, max) = middles().flatten().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), around);
+    // As fine along all axes: a flat world is cut where it is wide.
+    let scale = CELLS / (max - min).max_element();
+    sorted.clear();
+    sorted.extend((0..).zip(middles()).map(|(number, middle)| {
+        let code = middle.map_or(u64::MAX, |middle| {
+            let [x, y, z] = ((middle - min) * scale).to_array().map(|cell| spread(cell as u64));
+            x | y << 1 | z << 2
+        });
+        (code, number)
+    }));
+    sorted.sort_unstable();
+}
+
+/// The cells along an axis.
+const CELLS: f32 = 2_097_151.0;
+
+/// The 21 lowest bits of a number, with two of nothing behind each.
+fn spread(number: u64) -> u64 {
+    let steps = [
+        (32, 0x1f_0000_0000_ffff),
+        (16, 0x1f_0000_ff00_00ff),
+        (8, 0x100f_00f0_0f00_f00f),
+        (4, 0x10c3_0c30_c30c_30c3),
+        (2, 0x1249_2492_4924_9249),
+    ];
+    steps.into_iter().fold(number & 0x1f_ffff, |bits, (by, mask)| (bits | bits << by) & mask)
 }
 
 #[cfg(test)]

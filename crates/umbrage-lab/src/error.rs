@@ -26,7 +26,7 @@ pub enum LabError {
     /// A file cannot be read or written.
     #[error("cannot {action} {}", path.display())]
     File {
-        /// "read" or "write".
+        /// "read", "write" or "decode".
         action: &'static str,
         /// The path of the file.
         path: PathBuf,
@@ -56,6 +56,16 @@ pub enum LabError {
     /// A picture cannot be drawn.
     #[error(transparent)]
     Render(#[from] RenderError),
+    /// Pictures of one view are of different sizes.
+    #[error("{name} is {} x {} pixels, need {} x {}", got.0, got.1, wanted.0, wanted.1)]
+    Sizes {
+        /// The name of the picture.
+        name: &'static str,
+        /// The size of the view, or of `lit.png` beside it, in pixels.
+        wanted: (u32, u32),
+        /// The size of the picture, in pixels.
+        got: (u32, u32),
+    },
     /// A picture cannot be encoded.
     #[error("a picture cannot be encoded: {0}")]
     Encode(#[from] image::ImageError),

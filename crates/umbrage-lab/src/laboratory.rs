@@ -10,6 +10,7 @@ use umbrage_scene::{Pose, Scene};
 
 use crate::aliasing::Aliasing;
 use crate::error::LabError;
+use crate::foreign::{Foreign, ForeignError};
 use crate::heat::heat_map;
 use crate::judgement::{Judgement, pooled, verdicts};
 use crate::measurement::{Measurement, Milliseconds};
@@ -161,6 +162,27 @@ impl<'a> Laboratory<'a> {
         let compared =
             lights.map(|((Traced { truth, .. }, smooth), visibility)| Compared { truth, smooth, visibility });
         Deviation::new(&compared.collect::<Vec<_>>())
+    }
+
+    /// Judges what another renderer drew of a judged shot's first light, beside what is ours. `None` where no pixel can be
+    /// judged.
+    ///
+    /// # Errors
+    /// When its pictures are of another size than the shot.
+    pub fn judge_foreign(
+        &mut self,
+        shot: &Shot,
+        judged: &Judged,
+        foreign: &Foreign,
+    ) -> Result<Option<ForeignError>, LabError> {
+        let (wanted, got) = ((shot.width, shot.height), (foreign.width, foreign.height));
+        if wanted != got {
+            return Err(LabError::Sizes { name: "lit.png", wanted, got });
+        }
+        let (world, distance) = (self.world_in(&shot.pose), shadow_distance(&judged.plan));
+        let traced = self.truths.hard(shot, distance, &world);
+        let first = traced.first().zip(judged.visibility.first());
+        Ok(first.and_then(|(Traced { truth, .. }, ours)| foreign.judge(&world, truth, ours)))
     }
 
     /// Measures how large the texels of one of a shot's lights look, pixel by pixel.

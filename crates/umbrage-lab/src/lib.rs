@@ -20,6 +20,7 @@ pub mod tabulate;
 mod error;
 mod experiment;
 mod flicker;
+mod foreign;
 mod judgement;
 mod laboratory;
 mod lines;
@@ -35,6 +36,7 @@ mod truths;
 
 pub use error::LabError;
 pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Variant};
+pub use foreign::{Foreign, ForeignError, Wrong};
 pub use laboratory::{Judged, Laboratory};
 pub use measurement::{Machine, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts};
 pub use path::{Motion, Watch};

@@ -14,8 +14,6 @@ use umbrage_scene::{Instance, Material, Mesh, Motion, Pose, Primitive, Scene};
 
 /// The world is so large, metres.
 const SIDE: f32 = 6000.0;
-/// The quads along a side of the ground, in one mesh.
-const GROUND: u32 = 400;
 /// Frames come so many seconds after each other.
 const STEP_SECONDS: f32 = 1.0 / 60.0;
 
@@ -26,11 +24,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{things} things, {frames} frames, ms");
     println!("{:34}{:>24}{:>24}{:>24}{:>24}", "", "move", "plan", "lists", "all");
     for (lights, name) in [(sun()?, "a sun"), (points()?, "4 point lights")] {
-        for (moving, motion) in [(0, "nothing moves"), (100, "1 in 100 moves"), (1, "all move")] {
-            measure(&format!("{name}, {motion}"), &scene(things, moving), &lights, frames, -0.1)?;
+        for moves in [Moves::None, Moves::OneInHundred, Moves::All, Moves::Shuffle] {
+            measure(&format!("{name}, {}", moves.name()), &scene(things, moves), &lights, frames, -0.1)?;
         }
-        measure(&format!("{name}, nothing in view"), &scene(things, 0), &lights, frames, 4.0)?;
+        measure(&format!("{name}, nothing in view"), &scene(things, Moves::None), &lights, frames, 4.0)?;
     }
+    let mesh = of_meshes(vec![Mesh::new("ground", &[ground(1582)])], Vec::new());
+    measure("a sun, a mesh of 5 M triangles", &mesh, &sun()?, frames, -0.1)?;
+    let triangle = of(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![0, 1, 2]);
+    let all = scene(things, Moves::None).instances;
+    let all = all.into_iter().map(|instance| Instance { mesh: 0, ..instance }).collect();
+    let triangles = of_meshes(vec![Mesh::new("triangle", &[triangle])], all);
+    measure("a sun, instances of one triangle", &triangles, &sun()?, frames, -0.1)?;
     Ok(())
 }
 
@@ -74,7 +79,7 @@ fn list(lists: &mut DrawLists, plan: &ShadowPlan, camera: &Camera, table: &PartT
         table.add_casters(lists, Some(&view.casters));
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    table.add_seen(lists, &seen);
+    table.add_seen(lists, &seen, camera.eye());
     table.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
 }
 
@@ -95,27 +100,59 @@ fn points() -> Result<Vec<Light>, Box<dyn std::error::Error>> {
     Ok(vec![at(0.0, 0.0)?, at(0.0, 400.0)?, at(-200.0, -300.0)?, at(900.0, 100.0)?])
 }
 
-/// Things of five meshes and a ground in one mesh. One in `moving` turns; none where that is 0.
-fn scene(things: u32, moving: u32) -> Scene {
+/// Which things move from frame to frame.
+#[derive(Clone, Copy)]
+enum Moves {
+    None,
+    OneInHundred,
+    All,
+    /// All, to somewhere else in the world.
+    Shuffle,
+}
+
+impl Moves {
+    fn name(self) -> &'static str {
+        match self {
+            Self::None => "nothing moves",
+            Self::OneInHundred => "1 in 100 moves",
+            Self::All => "all move",
+            Self::Shuffle => "all are shuffled",
+        }
+    }
+
+    /// The motion of a thing around a place.
+    fn motion(self, thing: u32, centre: Vec3) -> Motion {
+        let turn =
+            |centre, radians_per_second| Motion::Rotation { centre, axis: Vec3::Y, radians_per_second };
+        match self {
+            Self::OneInHundred if thing.is_multiple_of(100) => turn(centre, 1.0),
+            Self::None | Self::OneInHundred => Motion::Still,
+            Self::All => turn(centre, 1.0),
+            Self::Shuffle => turn(Vec3::ZERO, (thing % 997) as f32),
+        }
+    }
+}
+
+/// Things of five meshes on a ground in one mesh.
+fn scene(things: u32, moves: Moves) -> Scene {
     let mut meshes: Vec<Mesh> = (0..5).map(|i| Mesh::new("thing", &[tetrahedron(1.0 + i as f32)])).collect();
-    meshes.push(Mesh::new("ground", &[ground()]));
+    meshes.push(Mesh::new("ground", &[ground(400)]));
     let mut random = 1u32;
     let mut share = || {
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         (random >> 8) as f32 / (1u32 << 24) as f32
     };
-    let mut instances: Vec<Instance> = (0..things)
-        .map(|i| {
-            let centre = Vec3::new(share() - 0.5, 0.005 * share(), share() - 0.5) * SIDE;
-            let turns = moving > 0 && i % moving == 0;
-            let turn = Motion::Rotation { centre, axis: Vec3::Y, radians_per_second: 1.0 };
-            Instance {
-                motion: if turns { turn } else { Motion::Still },
-                ..Instance::still(i as usize % 5, Mat4::from_translation(centre))
-            }
-        })
-        .collect();
-    instances.push(Instance::still(5, Mat4::IDENTITY));
+    let instances = (0..things).map(|i| {
+        let centre = Vec3::new(share() - 0.5, 0.005 * share(), share() - 0.5) * SIDE;
+        let still = Instance::still(i as usize % 5, Mat4::from_translation(centre));
+        Instance { motion: moves.motion(i, centre), ..still }
+    });
+    of_meshes(meshes, instances.collect())
+}
+
+/// Instances of meshes, and one of the last of these.
+fn of_meshes(meshes: Vec<Mesh>, mut instances: Vec<Instance>) -> Scene {
+    instances.push(Instance::still(meshes.len() - 1, Mat4::IDENTITY));
     let materials = vec![Material::plain("grey", 0.5, 0.5, 0.5)];
     Scene { meshes, instances, materials, ..Scene::default() }
 }
@@ -125,14 +162,15 @@ fn tetrahedron(size: f32) -> Primitive {
     of(positions, vec![0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2])
 }
 
-fn ground() -> Primitive {
-    let row = GROUND + 1;
+/// A lattice of so many quads a side.
+fn ground(quads: u32) -> Primitive {
+    let row = quads + 1;
     let at = |i: u32| {
-        let [x, z] = [i % row, i / row].map(|k| (k as f32 / GROUND as f32 - 0.5) * SIDE);
+        let [x, z] = [i % row, i / row].map(|k| (k as f32 / quads as f32 - 0.5) * SIDE);
         Vec3::new(x, 0.0, z)
     };
-    let quads = (0..GROUND * GROUND).map(|i| i % GROUND + i / GROUND * row);
-    let indices = quads.flat_map(|a| [a, a + row, a + 1, a + 1, a + row, a + row + 1]).collect();
+    let firsts = (0..quads * quads).map(|i| i % quads + i / quads * row);
+    let indices = firsts.flat_map(|a| [a, a + row, a + 1, a + 1, a + row, a + row + 1]).collect();
     of((0..row * row).map(at).collect(), indices)
 }
 

@@ -1,7 +1,7 @@
 // The vertex shader of receivers whose vertices have colours. It needs `receiver.wgsl`.
 
 struct ColouredReceiver {
-    @builtin(position) clip: vec4f,
+    @builtin(position) @invariant clip: vec4f,
     @location(0) from_eye: vec3f,
     @location(1) normal: vec3f,
     @location(2) uv: vec2f,

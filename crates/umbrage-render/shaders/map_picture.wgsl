@@ -24,7 +24,7 @@ struct Look {
 /// The depth at a texel of the tile, 0 near to 1 far or empty: what is stored is reversed.
 fn depth_at(texel: vec2u) -> f32 {
     let view = umbrage_frame.views[look.view];
-    let stored = textureLoad(maps, vec2u(view.tile_origin) + texel, view.layer, 0);
+    let stored = textureLoad(maps, vec2u(view.tile.xy) + texel, i32(view.tile.w), 0);
     if look.even == 1u && stored > 0.0 {
         return clamp(umbrage_linear_depth(look.view, vec2f(texel) + 0.5, stored), 0.0, 1.0);
     }
@@ -33,7 +33,7 @@ fn depth_at(texel: vec2u) -> f32 {
 
 @compute @workgroup_size(8, 8)
 fn find_range(@builtin(global_invocation_id) id: vec3u) {
-    if all(vec2f(id.xy) < vec2f(umbrage_frame.views[look.view].tile_size)) {
+    if all(vec2f(id.xy) < vec2f(umbrage_frame.views[look.view].tile.z)) {
         let depth = depth_at(id.xy);
         if depth < 1.0 {
             atomicMin(&drawn[0], bitcast<u32>(depth));
@@ -47,7 +47,7 @@ fn paint(@builtin(global_invocation_id) id: vec3u) {
     if any(id.xy >= vec2u(look.side)) {
         return;
     }
-    let place = (vec2f(id.xy) + 0.5) / f32(look.side) * umbrage_frame.views[look.view].tile_size;
+    let place = (vec2f(id.xy) + 0.5) / f32(look.side) * umbrage_frame.views[look.view].tile.z;
     var grey = depth_at(vec2u(place));
     let nearest = atomicLoad(&drawn[0]);
     let farthest = atomicLoad(&drawn[1]);

@@ -1,7 +1,7 @@
 // The vertex shader of everything that receives shadows. It needs `scene.wgsl`.
 
 struct Receiver {
-    @builtin(position) clip: vec4f,
+    @builtin(position) @invariant clip: vec4f,
     /// From the eye, in world axes: small numbers, exact where precision is needed.
     @location(0) from_eye: vec3f,
     @location(1) normal: vec3f,

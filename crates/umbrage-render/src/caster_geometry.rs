@@ -7,6 +7,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use umbrage_scene::{CasterLevel, CasterMesh, Mesh, Scene};
+use web_time::{Duration, Instant};
 
 use crate::buffers::filled;
 use crate::error::RenderError;
@@ -61,14 +62,16 @@ impl CasterLevels {
         }))
     }
 
-    /// Returns the levels as soon as all are made, or waits for that. `None` also where there are none, or the device has no
-    /// room for them.
-    pub fn get(&self, gpu: &Gpu, wait: bool) -> Option<Arc<CasterGeometry>> {
+    /// Returns the levels if all are made, or are within so long. `None` also where there are none, or the device has no room
+    /// for them.
+    pub fn get(&self, gpu: &Gpu, patience: Duration) -> Option<Arc<CasterGeometry>> {
+        // `None` is never.
+        let deadline = Instant::now().checked_add(patience);
         // Whoever died here left levels that are made or not.
         let mut state = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let State::Underway { makers, made, left } = &mut *state {
             while *left > 0 {
-                match makers.next(wait) {
+                match makers.next(deadline) {
                     Made::Levels(mesh, levels) => {
                         made[mesh] = levels;
                         *left -= 1;

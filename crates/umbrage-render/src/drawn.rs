@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
-use umbrage::{Camera, ShadowPlan};
+use umbrage::{Camera, ShadowPlan, Share};
 use umbrage_scene::Pose;
 
 use crate::buffers::Growing;
@@ -53,7 +53,8 @@ pub(crate) struct Planned {
     pub samples: u32,
     pub exposure: Exposure,
     pub haze: bool,
-    /// A list for each of the plan's views, then one for the camera, and one of the veils before what that sees.
+    /// Two lists for each of the plan's views, of what stands and of what moves; then one for the camera, and one of the veils
+    /// before what that sees.
     pub lists: DrawLists,
     pub numbers: Growing,
     pub loads: Vec<ViewLoad>,
@@ -75,15 +76,34 @@ impl MapsId {
     }
 }
 
+/// What stands among the casters of a view.
+pub(crate) fn still(lists: &DrawLists, view: usize) -> &[Draw] {
+    lists.view(2 * view)
+}
+
+/// What moves among the casters of a view.
+pub(crate) fn moving(lists: &DrawLists, view: usize) -> &[Draw] {
+    lists.view(2 * view + 1)
+}
+
 impl Planned {
+    /// The casters of a share of a view, as two lists.
+    pub fn casters(&self, view: usize, share: Share) -> [&[Draw]; 2] {
+        match share {
+            Share::All => [still(&self.lists, view), moving(&self.lists, view)],
+            Share::Still => [still(&self.lists, view), &[]],
+            Share::Moving => [&[], moving(&self.lists, view)],
+        }
+    }
+
     /// What the camera sees, but for veils.
     pub fn receivers(&self) -> &[Draw] {
-        self.lists.view(self.plan.views().len())
+        self.lists.view(2 * self.plan.views().len())
     }
 
     /// The veils before what the camera sees, the deepest first.
     pub fn veils(&self) -> &[Draw] {
-        self.lists.view(self.plan.views().len() + 1)
+        self.lists.view(2 * self.plan.views().len() + 1)
     }
 
     /// Whether there are shadows of a light.

@@ -24,6 +24,9 @@ use levels::Levels;
 use open::Open;
 use parts::{PartRow, Slot};
 
+/// What no pose has moved for so many moves of other things stands.
+const STANDS_AFTER: u64 = 60;
+
 /// Every (part, instance) of a scene with its world box, ordered by cover, mesh, mirroring, casting, part and instance.
 #[derive(Clone, Debug)]
 pub struct PartTable {
@@ -155,32 +158,51 @@ impl PartTable {
         self.bounds
     }
 
-    /// Appends the draws of everything that casts shadows and may touch `volume`, or of all that casts where that is `None`.
-    /// Solid parts join whatever their materials are, since only their depth is drawn.
-    pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
-        self.add_detailed(lists, volume.unwrap_or(&ConvexVolume::default()), &Detail::FULL);
+    /// Says whether a pose moved, bent or hid an instance lately: it may well go on.
+    pub fn moves(&self, instance: u32) -> bool {
+        let epoch = self.epoch(instance);
+        epoch > 0 && self.moves - epoch < STANDS_AFTER
     }
 
-    /// Appends the draws of the casters of a view, in levels of detail that lie within so many texels of them, and leaves out
-    /// what covers no texel's centre. Returns how far from a caster any level lies that is drawn, metres.
+    /// Appends two lists of draws of everything that casts shadows and may touch `volume`, or of all that casts where that is
+    /// `None`, as it is: first of what stands, then of what [moves](Self::moves). Solid parts join whatever their materials
+    /// are, since only their depth is drawn.
+    pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
+        let everything = ConvexVolume::default();
+        self.add_detailed(lists, volume.unwrap_or(&everything), &Detail::FULL);
+    }
+
+    /// Appends the same for the casters of a view, in levels of detail that lie within so many texels of them, as far as there
+    /// are any yet, and without those that cover no texel's centre. Returns how far from its caster any level lies that is
+    /// drawn, at most, metres.
     pub fn add_casters_of(&self, lists: &mut DrawLists, view: &ShadowView, texels: f32) -> f32 {
         self.add_detailed(lists, &view.casters, &Detail::of(view, texels))
     }
 
     fn add_detailed(&self, lists: &mut DrawLists, volume: &ConvexVolume, detail: &Detail) -> f32 {
-        let DrawLists { instances, draws, ends, touched } = lists;
+        let still = self.add_share(lists, volume, detail, false);
+        if self.moves == 0 {
+            lists.ends.push(lists.draws.len());
+            return still;
+        }
+        still.max(self.add_share(lists, volume, detail, true))
+    }
+
+    /// The draws of the casters that move, or of those that stand.
+    fn add_share(&self, lists: &mut DrawLists, volume: &ConvexVolume, detail: &Detail, moving: bool) -> f32 {
+        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
         let mut open = Open::after(draws.len());
         let joins =
             |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
         let mut farthest = 0.0f32;
         if let Some(levels) = &self.levels {
-            touched.make_room(levels.slots.len());
-            levels.boxes.touching(volume, |number| touched.insert(number));
+            levels.touch(touched, volume);
             touched.drain(|number| {
+                let slot = levels.slots[number as usize];
                 let Some(error) = levels.error(number, detail, &self.posed) else { return };
-                if !levels.is_missed(number, detail) {
+                if self.moves(slot.instance) == moving && !levels.is_missed(number, detail) {
                     farthest = farthest.max(error);
-                    open.add(levels.slots[number as usize], &levels.rows, instances, draws, joins);
+                    open.add(slot, &levels.rows, instances, draws, joins);
                 }
             });
             open.close(&levels.rows, instances, draws, joins);
@@ -190,7 +212,7 @@ impl PartTable {
             let slot = self.slots[number as usize];
             let row = &self.parts[slot.part as usize];
             let has_stand_in = self.levels.as_ref().is_some_and(|levels| levels.stand_in_for(row));
-            if row.casts && !has_stand_in {
+            if row.casts && !has_stand_in && self.moves(slot.instance) == moving {
                 open.add(slot, &self.parts, instances, draws, joins);
             }
         });
@@ -209,15 +231,58 @@ impl PartTable {
         self.levels = Some(Levels::new(&self.parts, &self.slots, &self.posed, meshes));
     }
 
-    /// Appends the draws of everything but veils that may touch `volume`, each with one material.
-    pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume) {
-        let joins = |last: &Draw, part: &PartRow| last.material == part.material;
-        self.add(lists, volume, |part| part.cover != Cover::Veil, joins);
+    /// Appends the draws of everything but veils that may touch `volume`, one a part, solid ones first, and then those first that
+    /// come nearest to `eye`: what lies behind them is not shaded then.
+    pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume, eye: Vec3) {
+        let DrawLists { instances, draws, ends, touched, by_distance } = lists;
+        let first = draws.len();
+        self.touch(touched, volume);
+        let mut open = None;
+        touched.drain(|number| {
+            let Slot { part, instance } = self.slots[number as usize];
+            let row = &self.parts[part as usize];
+            if row.cover == Cover::Veil {
+                return;
+            }
+            if open != Some(part) {
+                self.close_seen(open, by_distance, instances, draws);
+                open = Some(part);
+            }
+            by_distance.push((Self::distance(row, &self.aabb(number), eye), instance));
+        });
+        self.close_seen(open, by_distance, instances, draws);
+        draws[first..].sort_unstable_by(|a, b| {
+            let order = a.cover.cmp(&b.cover).then(a.depth.total_cmp(&b.depth));
+            order.then(a.instances.start.cmp(&b.instances.start))
+        });
+        ends.push(draws.len());
+    }
+
+    /// The square of the distance of a part's box from the eye, square metres: 0 within the box, and endless of skies, which lie
+    /// behind everything.
+    fn distance(part: &PartRow, aabb: &Aabb, eye: Vec3) -> f32 {
+        if part.is_sky { f32::MAX } else { (eye - eye.clamp(aabb.min, aabb.max)).length_squared() }
+    }
+
+    /// Appends the draw of a part, with its instances from the nearest on.
+    fn close_seen(
+        &self,
+        part: Option<u32>,
+        by_distance: &mut Vec<(f32, u32)>,
+        instances: &mut Vec<u32>,
+        draws: &mut Vec<Draw>,
+    ) {
+        let Some(part) = part else { return };
+        by_distance.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let (start, depth) = (instances.len(), by_distance.first().map_or(0.0, |(nearest, _)| *nearest));
+        instances.extend(by_distance.drain(..).map(|(_, instance)| instance));
+        let draw = self.parts[part as usize].draw(start as u32..instances.len() as u32);
+        draws.push(Draw { depth, ..draw });
     }
 
     /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
     pub fn add_veils(&self, lists: &mut DrawLists, volume: &ConvexVolume, depth: impl Fn(Vec3) -> f32) {
-        let DrawLists { instances, draws, ends, touched } = lists;
+        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
         let first = draws.len();
         if self.parts.last().is_some_and(|part| part.cover == Cover::Veil) {
             self.touch(touched, volume);
@@ -254,27 +319,6 @@ impl PartTable {
         touched.make_room(self.slots.len());
         self.bounds.touching(volume, |number| touched.insert(number));
         self.skies.touching(volume, |sky| touched.insert(self.sky_slots[sky as usize]));
-    }
-
-    /// Appends the draws of wanted parts that may touch a volume.
-    fn add(
-        &self,
-        lists: &mut DrawLists,
-        volume: &ConvexVolume,
-        is_wanted: impl Fn(&PartRow) -> bool,
-        may_join: impl Fn(&Draw, &PartRow) -> bool + Copy,
-    ) {
-        let DrawLists { instances, draws, ends, touched } = lists;
-        let mut open = Open::after(draws.len());
-        self.touch(touched, volume);
-        touched.drain(|number| {
-            let slot = self.slots[number as usize];
-            if is_wanted(&self.parts[slot.part as usize]) {
-                open.add(slot, &self.parts, instances, draws, may_join);
-            }
-        });
-        open.close(&self.parts, instances, draws, may_join);
-        ends.push(draws.len());
     }
 }
 

@@ -26,11 +26,13 @@ pub(crate) use threads::LevelMakers;
 #[cfg(not(target_arch = "wasm32"))]
 mod threads {
     use std::sync::atomic::{AtomicUsize, Ordering};
-    use std::sync::mpsc::{Receiver, TryRecvError, channel};
+    use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
     use std::sync::{Arc, Mutex, PoisonError};
 
-    use super::{Job, Made, levels};
     use umbrage_scene::CasterMesh;
+    use web_time::Instant;
+
+    use super::{Job, Made, levels};
 
     /// More threads would leave none for what draws meanwhile.
     const MOST: usize = 4;
@@ -60,18 +62,18 @@ mod threads {
             Self(Mutex::new(receiver))
         }
 
-        /// What comes next, now or when it has come.
-        pub fn next(&mut self, wait: bool) -> Made {
+        /// What comes next, until some time; whenever it comes where that is never.
+        pub fn next(&mut self, deadline: Option<Instant>) -> Made {
             let receiver = self.0.get_mut().unwrap_or_else(PoisonError::into_inner);
-            let made = if wait {
-                receiver.recv().map_err(|_| TryRecvError::Disconnected)
-            } else {
-                receiver.try_recv()
+            let left = deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
+            let made = match left {
+                Some(left) => receiver.recv_timeout(left),
+                None => receiver.recv().map_err(|_| RecvTimeoutError::Disconnected),
             };
             match made {
                 Ok((mesh, levels)) => Made::Levels(mesh, levels),
-                Err(TryRecvError::Empty) => Made::NotYet,
-                Err(TryRecvError::Disconnected) => Made::Nothing,
+                Err(RecvTimeoutError::Timeout) => Made::NotYet,
+                Err(RecvTimeoutError::Disconnected) => Made::Nothing,
             }
         }
     }
@@ -82,24 +84,26 @@ pub(crate) use turns::LevelMakers;
 
 #[cfg(target_arch = "wasm32")]
 mod turns {
+    use web_time::Instant;
+
     use super::{Job, Made, levels};
 
     /// What is left to do.
     #[derive(Debug)]
     pub(crate) struct LevelMakers {
         jobs: Vec<Job>,
-        has_rested: bool,
+        is_late: bool,
     }
 
     impl LevelMakers {
         pub fn begin(jobs: Vec<Job>) -> Self {
-            Self { jobs, has_rested: true }
+            Self { jobs, is_late: false }
         }
 
-        /// What comes next: one each frame, unless all are waited for.
-        pub fn next(&mut self, wait: bool) -> Made {
-            self.has_rested = !self.has_rested;
-            if self.has_rested && !wait {
+        /// What comes next, until some time; whoever has less gets one each time.
+        pub fn next(&mut self, deadline: Option<Instant>) -> Made {
+            self.is_late = !self.is_late && deadline.is_some_and(|deadline| Instant::now() >= deadline);
+            if self.is_late {
                 return Made::NotYet;
             }
             self.jobs.pop().map_or(Made::Nothing, |job| {

@@ -40,6 +40,7 @@ mod exposure;
 mod frame;
 mod gpu;
 mod in_flight;
+mod keys;
 mod level_makers;
 mod light;
 mod materials;

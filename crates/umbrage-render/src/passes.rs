@@ -3,6 +3,7 @@
 
 pub(crate) mod area_sum;
 pub(crate) mod casters;
+pub(crate) mod contact_depth;
 pub(crate) mod given;
 pub(crate) mod map_picture;
 pub(crate) mod prepass;

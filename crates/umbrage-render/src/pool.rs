@@ -12,23 +12,24 @@ use crate::target::{Shape, Target};
 pub(crate) struct Plans(Vec<Arc<Planned>>);
 
 impl Plans {
-    /// One that nobody holds, or a new one, filled. Where that fails, it is as it was, or there is none.
-    pub fn filled(
+    /// One that nobody holds, or a new one, filled by means of `with`. Where that fails, it is as it was, or there is none.
+    pub fn filled<T>(
         &mut self,
-        make: impl FnOnce() -> Result<Planned, RenderError>,
-        fill: impl FnOnce(&mut Planned) -> Result<(), RenderError>,
+        with: &mut T,
+        make: impl FnOnce(&mut T) -> Result<Planned, RenderError>,
+        fill: impl FnOnce(&mut T, &mut Planned) -> Result<(), RenderError>,
     ) -> Result<Arc<Planned>, RenderError> {
         if let Some(i) = self.0.iter_mut().position(|planned| Arc::get_mut(planned).is_some())
             && let Some(free) = Arc::get_mut(&mut self.0[i])
         {
-            fill(free)?;
+            fill(with, free)?;
             let taken = Arc::clone(&self.0[i]);
             // Others that came back are of no use: one is enough for a frame that nobody holds.
             self.0.retain(|planned| Arc::strong_count(planned) > 1);
             return Ok(taken);
         }
-        let mut made = make()?;
-        fill(&mut made)?;
+        let mut made = make(with)?;
+        fill(with, &mut made)?;
         let made = Arc::new(made);
         self.0.push(Arc::clone(&made));
         Ok(made)

@@ -21,6 +21,7 @@ use crate::error::RenderError;
 use crate::exposure::Exposure;
 use crate::frame::{Frame, Show};
 use crate::gpu::Gpu;
+use crate::keys;
 use crate::passes::casters::{Casters, Surface};
 use crate::passes::map_picture::MapPicture;
 use crate::passes::query::QueryPass;
@@ -52,9 +53,14 @@ pub struct Renderer {
     timer: PassTimer,
     /// Whether parts that no view needs are left out, which they are unless this is off: to measure what it saves.
     pub cull_parts: bool,
-    /// Whether the first frame waits until casters have their levels of detail, which it does unless this is off: they take a
-    /// second or so a million triangles. A frame that does not wait draws casters as they are until then.
-    pub waits_for_levels: bool,
+    /// How long the next frame waits for casters to have their levels of detail, which take some seconds a million triangles
+    /// beside what else is done: as long as it takes, unless this says less. Frames before draw casters as they are.
+    pub patience: Duration,
+    /// Whether views are not drawn again whose tiles show what they are to show, which they are not unless this is off: to
+    /// measure what it saves.
+    pub keep_tiles: bool,
+    /// Whether there was no room for maps of what stands.
+    has_no_room_for_still: bool,
 }
 
 impl Renderer {
@@ -75,7 +81,8 @@ impl Renderer {
     /// # Errors
     /// As [`Self::new`].
     pub fn beside(&self, settings: Settings) -> Result<Self, RenderError> {
-        Self::with_buffers(&self.gpu, Arc::clone(&self.scene), self.parts.clone(), settings)
+        let beside = Self::with_buffers(&self.gpu, Arc::clone(&self.scene), self.parts.clone(), settings)?;
+        Ok(Self { patience: self.patience, levels: self.levels.clone(), ..beside })
     }
 
     fn with_buffers(
@@ -101,7 +108,9 @@ impl Renderer {
             timer: PassTimer::new(gpu)?,
             levels: None,
             cull_parts: true,
-            waits_for_levels: true,
+            patience: Duration::MAX,
+            keep_tiles: true,
+            has_no_room_for_still: false,
         })
     }
 
@@ -127,6 +136,7 @@ impl Renderer {
             self.query = None;
         }
         self.shadows = shadows;
+        self.has_no_room_for_still = false;
         self.maps = MapsId::new();
     }
 
@@ -181,7 +191,7 @@ impl Renderer {
             Show::Unshadowed | Show::Given(_) | Show::Nothing => {}
         }
         let planned = Arc::clone(planned);
-        let target = self.make_picture_ready(show, planned.size, planned.samples)?;
+        let target = self.target(show, planned.size, planned.samples)?;
         self.shade(planned, show, target)
     }
 
@@ -212,19 +222,11 @@ impl Renderer {
             let changed = self.gpu.allocate("the shadow maps", make)?;
             self.use_shadows(shadows, changed);
         }
-        self.make_picture_ready(&frame.show, [frame.width, frame.height], frame.samples)
+        self.target(&frame.show, [frame.width, frame.height], frame.samples)
     }
 
-    fn make_picture_ready(
-        &mut self,
-        show: &Show,
-        size: [u32; 2],
-        samples: u32,
-    ) -> Result<Arc<Target>, RenderError> {
-        let target = self.targets.take(&self.gpu, Shape::of(show, size, samples))?;
-        let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
-        self.shading.make_ready(inputs, show, &target, size)?;
-        Ok(target)
+    fn target(&mut self, show: &Show, size: [u32; 2], samples: u32) -> Result<Arc<Target>, RenderError> {
+        self.targets.take(&self.gpu, Shape::of(show, size, samples))
     }
 
     /// Plans a frame, and draws its shadow maps.
@@ -232,19 +234,37 @@ impl Renderer {
         let planned = self.plan(frame)?;
         self.maps = planned.maps;
         self.draw_casters(&planned)?;
+        self.keep_still();
         Ok(planned)
+    }
+
+    /// Makes maps of what stands where they will save drawing it. Where the device has no room for them, all is drawn.
+    fn keep_still(&mut self) {
+        if self.shadows.would_keep_still() && !self.has_no_room_for_still {
+            let Self { gpu, shadows, .. } = self;
+            let mut with_still = shadows.clone();
+            let made = gpu.allocate("the maps of what stands", || {
+                with_still.keep_still(&gpu.device);
+                Ok::<_, ShadowError>(())
+            });
+            match made {
+                Ok(()) => *shadows = with_still,
+                Err(_) => self.has_no_room_for_still = true,
+            }
+        }
     }
 
     /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
     fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
+        let (cull_parts, keep_tiles) = (self.cull_parts, self.keep_tiles);
         self.take_levels();
-        let Self { gpu, scene, parts, shadows, lights, timer, .. } = self;
+        let Self { gpu, scene, parts, shadows, lights, timer, plans, .. } = self;
         let origin = frame.camera.local_origin();
         scene.move_to(gpu, timer, origin, &frame.pose);
         parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
-        let make = || {
+        let make = |shadows: &mut Shadows| {
             Ok(Planned {
                 plan: shadows.plan(planned_for, lights, parts.bounds())?,
                 camera: frame.camera,
@@ -262,8 +282,7 @@ impl Renderer {
                 maps: MapsId::new(),
             })
         };
-        let cull_parts = self.cull_parts;
-        let fill = |planned: &mut Planned| {
+        let fill = |shadows: &mut Shadows, planned: &mut Planned| {
             shadows.replan(&mut planned.plan, planned_for, lights, parts.bounds())?;
             (planned.camera, planned.origin) = (frame.camera, origin);
             planned.lights.clone_from(&frame.lights);
@@ -271,22 +290,25 @@ impl Renderer {
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
             list(planned, parts, cull_parts);
+            if keep_tiles {
+                keys::name(&mut planned.plan, origin, &planned.lists, parts);
+            }
             planned.numbers.write(gpu, bytemuck::cast_slice(planned.lists.instances()))?;
             planned.maps = MapsId::new();
+            shadows.set_picture_size(frame.width, frame.height);
+            shadows.set_origin(origin);
+            shadows.upload(&gpu.queue, &planned.plan)?;
+            load(planned, shadows);
             planned.milliseconds = start.elapsed().as_secs_f64() * 1e3;
             Ok(())
         };
-        let planned = self.plans.filled(make, fill)?;
-        self.shadows.set_picture_size(frame.width, frame.height);
-        self.shadows.set_origin(origin);
-        self.shadows.upload(&self.gpu.queue, &planned.plan)?;
-        Ok(planned)
+        plans.filled(shadows, make, fill)
     }
 
     /// Draws levels of detail from now on, if they are there now.
     fn take_levels(&mut self) {
         if self.levels.is_none() {
-            self.levels = self.scene.levels.get(&self.gpu, self.waits_for_levels);
+            self.levels = self.scene.levels.get(&self.gpu, std::mem::take(&mut self.patience));
             if let Some(levels) = &self.levels {
                 self.parts.set_levels(&levels.meshes);
             }
@@ -296,20 +318,24 @@ impl Renderer {
     fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {
         let Self { gpu, scene, levels, shadows, casters, timer, .. } = self;
         let levels = levels.as_deref();
-        let Planned { plan, lists, numbers, .. } = planned;
+        let Planned { plan, numbers, .. } = planned;
+        // A timer whose passes never begin would wait for them.
+        if !shadows.has_due_views() {
+            return Ok(());
+        }
         let mut encoder = gpu.encoder("Renderer::casters");
         let draw = |mut casting: Casting<'_>, surface: Surface| {
-            while let Some((pass, view)) = casting.next_view() {
-                casters.record(pass, view, surface, scene, levels, &numbers.buffer, lists.view(view.index));
+            while let Some((pass, view, share)) = casting.next_share() {
+                let draws = planned.casters(view.index, share);
+                casters.record(pass, view, surface, scene, levels, &numbers.buffer, draws);
             }
         };
-        // A timer whose passes never begin would wait for them.
-        if !plan.views().is_empty() {
+        {
             timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
                 shadows.cast_timed(encoder, plan, timestamps).map(|casting| draw(casting, Surface::First))
             })?;
         }
-        if casters.has_second() && !plan.views().is_empty() {
+        if casters.has_second() {
             timer.pass(CASTERS, &mut encoder, |encoder, timestamps| {
                 let casting = shadows.cast_second(encoder, plan, timestamps)?;
                 casting.map_or(Ok(()), |casting| {
@@ -348,25 +374,32 @@ impl Renderer {
     }
 }
 
-/// Lists what is drawn into each of a plan's views, what the camera sees, and the veils before that.
+/// Lists what belongs to each of a plan's views, what the camera sees, and the veils before that.
 fn list(planned: &mut Planned, parts: &PartTable, cull_parts: bool) {
-    let Planned { plan, camera, lists, loads, .. } = planned;
+    let Planned { plan, camera, lists, .. } = planned;
     lists.clear();
-    loads.clear();
     for i in 0..plan.views().len() {
-        let view = &plan.views()[i];
         if cull_parts {
-            let error = parts.add_casters_of(lists, view, plan.settings().caster_error);
+            let error = parts.add_casters_of(lists, &plan.views()[i], plan.settings().caster_error);
             plan.set_caster_error(i, error);
         } else {
             parts.add_casters(lists, None);
         }
-        let view = &plan.views()[i];
-        let draws = lists.view(i);
-        let triangles = draws.iter().map(Draw::triangles).sum();
-        loads.push(ViewLoad { light: view.light, split: view.split, draws: draws.len(), triangles });
     }
     let seen = ConvexVolume::of_clip(&camera.clip_from_world());
-    parts.add_seen(lists, &seen);
+    parts.add_seen(lists, &seen, camera.eye());
     parts.add_veils(lists, &seen, |middle| (middle - camera.eye()).dot(camera.forward()));
+}
+
+/// Counts what must be drawn into each of a plan's views.
+fn load(planned: &mut Planned, shadows: &Shadows) {
+    planned.loads.clear();
+    for (i, view) in planned.plan.views().iter().enumerate() {
+        let mut load = ViewLoad { light: view.light, split: view.split, draws: 0, triangles: 0 };
+        for draws in shadows.due(i).flat_map(|share| planned.casters(i, share)) {
+            load.draws += draws.len();
+            load.triangles += draws.iter().map(Draw::triangles).sum::<u64>();
+        }
+        planned.loads.push(load);
+    }
 }

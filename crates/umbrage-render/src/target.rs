@@ -51,6 +51,17 @@ impl Shape {
     }
 }
 
+/// What a pass over a target finds there of the depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DepthBefore {
+    /// Nothing: the pass clears it.
+    Nothing,
+    /// Some of it: the pass draws the rest.
+    Some,
+    /// All of it: the pass writes none, so that its shaders may read it.
+    All,
+}
+
 /// Textures of one shape.
 #[derive(Debug)]
 pub(crate) struct Target {
@@ -60,7 +71,7 @@ pub(crate) struct Target {
     /// The same as a window shows it: sRGB bytes, to be read as they are. `None` where the adapter cannot (GL).
     pub shown: Option<wgpu::TextureView>,
     multisampled: Option<wgpu::TextureView>,
-    depth: wgpu::TextureView,
+    pub depth: wgpu::TextureView,
 }
 
 impl Target {
@@ -90,7 +101,8 @@ impl Target {
         let resolved = texture("Target::resolved", encoding.format(), 1, read);
         let multisampled =
             (samples > 1).then(|| view(&texture("Target::multisampled", encoding.format(), samples, none)));
-        let depth = view(&texture("Target::depth", DEPTH_FORMAT, samples, none));
+        let bound = if samples == 1 { wgpu::TextureUsages::TEXTURE_BINDING } else { none };
+        let depth = view(&texture("Target::depth", DEPTH_FORMAT, samples, bound));
         let shown = gpu.adapter.view_formats.then(|| {
             resolved.create_view(&wgpu::TextureViewDescriptor {
                 format: Some(wgpu::TextureFormat::Rgba8Unorm),
@@ -101,10 +113,11 @@ impl Target {
         Ok(Self { shape, resolved_view: view(&resolved), resolved, shown, multisampled, depth })
     }
 
-    /// Starts a pass over the whole target: colour and (reversed) depth cleared.
+    /// Starts a pass over the whole target: colour cleared, and (reversed) depth where nothing of it is drawn.
     pub fn begin<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,
+        depth: DepthBefore,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) -> wgpu::RenderPass<'e> {
         let (view, resolve_target) = match &self.multisampled {
@@ -128,10 +141,12 @@ impl Target {
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(0.0),
-                    store: wgpu::StoreOp::Discard,
-                }),
+                depth_ops: match depth {
+                    DepthBefore::Nothing => Some(wgpu::LoadOp::Clear(0.0)),
+                    DepthBefore::Some => Some(wgpu::LoadOp::Load),
+                    DepthBefore::All => None,
+                }
+                .map(|load| wgpu::Operations { load, store: wgpu::StoreOp::Discard }),
                 stencil_ops: None,
             }),
             timestamp_writes,

@@ -36,7 +36,7 @@ impl std::ops::AddAssign for FrameTimes {
     }
 }
 
-/// Says what was drawn into one shadow view.
+/// Says what was drawn into one shadow view: nothing where its tile showed that already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ViewLoad {
     /// The light whose view it is, counted from 0.

@@ -85,7 +85,13 @@ fn a_plan_for_another_camera_shadows_what_that_camera_sees() {
     let elsewhere = umbrage_render::camera(&elsewhere, 160.0 / 96.0).expect("a camera");
     let from_there = Frame { camera: elsewhere, planned_for: Some(looking.camera), ..looking };
     let frozen = renderer.render(&from_there).expect("a frame").drawn;
-    assert_eq!(frozen.plan().views(), own.plan().views());
+    // What tiles show is named by where positions are relative to as well, and that is near the eye.
+    let planned = |drawn: &umbrage_render::Drawn| {
+        let mut plan = drawn.plan().clone();
+        (0..plan.views().len()).for_each(|view| plan.set_key(view, None));
+        plan.views().to_vec()
+    };
+    assert_eq!(planned(&frozen), planned(&own));
     let followed = renderer.render(&Frame { planned_for: None, ..from_there }).expect("a frame").drawn;
     assert_ne!(followed.plan().views(), own.plan().views());
 }

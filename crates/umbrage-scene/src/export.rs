@@ -35,10 +35,28 @@ const MOST_DIGITS: usize = 4;
 /// When an index between the scene's lists is out of range, a list is too short, a number is not finite, or the file
 /// would be larger than its format allows, 4 GiB.
 pub fn to_glb(scene: &Scene) -> Result<Vec<u8>, SceneError> {
-    write(scene).map_err(|fault| fault.in_scene(&scene.name))
+    to_glb_with(scene, Vertices::Shared)
 }
 
-fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
+/// Says whose vertices are in a file: a reader may take all of them that a primitive points to, once for each primitive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vertices {
+    /// The parts of a mesh share its vertices, so that reading the file gives the same bits again.
+    Shared,
+    /// Each part of a mesh that nothing bends has vertices of its own; those on the seams are written twice.
+    Apart,
+}
+
+/// Writes a scene as [`to_glb`] does, with vertices as they are wanted.
+///
+/// # Errors
+///
+/// As [`to_glb`].
+pub fn to_glb_with(scene: &Scene, vertices: Vertices) -> Result<Vec<u8>, SceneError> {
+    write(scene, vertices).map_err(|fault| fault.in_scene(&scene.name))
+}
+
+fn write(scene: &Scene, vertices: Vertices) -> Result<Vec<u8>, Fault> {
     let Scene {
         name,
         meshes,
@@ -61,7 +79,7 @@ fn write(scene: &Scene) -> Result<Vec<u8>, Fault> {
     let mut places: Vec<Option<Index<JsonMesh>>> = Vec::with_capacity(meshes.len());
     for mesh in meshes {
         let empty = mesh.triangles() == 0;
-        places.push(if empty { None } else { Some(pieces::add_mesh(&mut document, mesh)?) });
+        places.push(if empty { None } else { Some(pieces::add_mesh(&mut document, mesh, vertices)?) });
     }
 
     let mut tree = Tree::new(&mut document, rig)?;

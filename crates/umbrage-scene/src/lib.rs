@@ -46,7 +46,7 @@ pub use curve::{Between, Curve, Keys};
 pub use deformed_bounds::DeformedBounds;
 pub use environment::{Environment, load_environment};
 pub use error::SceneError;
-pub use export::to_glb;
+pub use export::{Vertices, to_glb, to_glb_with};
 pub use import::{
     Imported, Step, load, load_glb_bytes, load_glb_bytes_telling, load_obj_bytes, load_telling,
 };

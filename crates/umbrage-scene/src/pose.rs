@@ -7,7 +7,7 @@ use crate::{Instance, Scene};
 
 /// A pose is how a scene stands at one time. Whoever draws or traces a scene takes one; poses of different scenes are not to
 /// be mixed.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 pub struct Pose {
     /// The time after the start, seconds.
     pub seconds: f32,
@@ -17,6 +17,23 @@ pub struct Pose {
     visible: Vec<bool>,
     /// The weights of morph targets at each node.
     weights: Vec<Vec<f32>>,
+}
+
+impl Clone for Pose {
+    fn clone(&self) -> Self {
+        let Self { seconds, world_from_node, visible, weights } = self;
+        let (world_from_node, visible) = (world_from_node.clone(), visible.clone());
+        Self { seconds: *seconds, world_from_node, visible, weights: weights.clone() }
+    }
+
+    /// Takes on another pose in the room that there is: whoever keeps a pose of a rig takes on one a frame.
+    fn clone_from(&mut self, other: &Self) {
+        let Self { seconds, world_from_node, visible, weights } = self;
+        *seconds = other.seconds;
+        world_from_node.clone_from(&other.world_from_node);
+        visible.clone_from(&other.visible);
+        weights.clone_from(&other.weights);
+    }
 }
 
 impl Pose {

@@ -408,3 +408,41 @@ fn scenes_that_contradict_themselves_are_not_written() {
         assert!(error.ends_with("in scene \"large\"") && !error.contains('\n'), "spoil {i}: {error}");
     }
 }
+
+/// The corners of every triangle where it stands, as bits, in some order that does not depend on the file.
+fn corners(scene: &Scene) -> Vec<[u32; 9]> {
+    let mut corners = Vec::new();
+    for Instance { mesh, world_from_mesh, .. } in &scene.instances {
+        let Mesh { positions, indices, .. } = &scene.meshes[*mesh];
+        for triangle in indices.chunks_exact(3) {
+            let place = |i: u32| world_from_mesh.transform_point3(positions[i as usize]).to_array();
+            let bits: Vec<u32> = triangle.iter().flat_map(|i| place(*i)).map(f32::to_bits).collect();
+            corners.push(bits.try_into().expect("three corners"));
+        }
+    }
+    corners.sort_unstable();
+    corners
+}
+
+#[test]
+fn parts_that_are_written_apart_are_the_same_triangles_and_share_no_vertices() {
+    let scene = worlds::build("dragon", 0).expect("a world");
+    let glb = to_glb_with(&scene, Vertices::Apart).expect("a file");
+    let read = load_glb_bytes(&glb, "dragon").expect("a scene").scene;
+    assert_eq!(corners(&read), corners(&scene));
+    let json = gltf::Gltf::from_slice(&glb).expect("glTF").document;
+    let primitives: Vec<gltf::Primitive<'_>> =
+        json.meshes().flat_map(|mesh| mesh.primitives().collect::<Vec<_>>()).collect();
+    let mut seen = std::collections::BTreeSet::new();
+    for primitive in &primitives {
+        let positions = primitive.get(&gltf::Semantic::Positions).expect("positions");
+        let triangles = primitive.indices().expect("indices").count() / 3;
+        assert!(
+            positions.count() <= 3 * triangles,
+            "{} vertices of {triangles} triangles",
+            positions.count()
+        );
+        assert!(seen.insert(positions.index()), "its own");
+    }
+    assert!(primitives.len() > scene.meshes.len(), "there are meshes of several parts");
+}

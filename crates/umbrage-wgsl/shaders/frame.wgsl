@@ -7,12 +7,8 @@
 struct UmbrageView {
     /// The view's local space to its own clip space, with reversed depth: 1 near the light, 0 far from it.
     clip_from_local: mat4x4f,
-    /// Upper left corner of the tile, texels.
-    tile_origin: vec2f,
-    /// Side of the tile, texels.
-    tile_size: f32,
-    /// Array layer of the tile.
-    layer: i32,
+    /// Upper left corner of the tile and its side, texels; and the array layer that holds it.
+    tile: vec4f,
     /// The view depths that the view serves, metres; and the farther one as reversed clip depth.
     depth_start: f32,
     depth_end: f32,
@@ -32,6 +28,13 @@ struct UmbrageView {
     /// Where the tile's upper left texel lies in the lattice of the light's own texels, which no camera moves where the fit
     /// moves the map by whole texels.
     lattice: vec2u,
+    /// How much rounding may make of a stored depth and of the one that it is compared with: x, and y times the stored depth.
+    depth_rounding: vec2f,
+    /// A place of local space p may be held by the view's map, with a filter's whole footprint, where neither
+    /// dot(held_x, (p, 1)) nor dot(held_y, (p, 1)) is farther from 0 than dot(held_w, (p, 1)).
+    held_x: vec4f,
+    held_y: vec4f,
+    held_w: vec4f,
 }
 
 struct UmbrageLight {
@@ -73,9 +76,6 @@ struct UmbrageFrame {
     bias_normal: f32,
     /// Cosine of the angle between normal and light up to which light fades in.
     terminator: f32,
-    /// How much the maps' format rounds a stored depth: an absolute step, and a share of what is rounded.
-    depth_step: f32,
-    depth_rounding: f32,
     /// How far behind the first surface the stored depth may lie at most, where two surfaces are drawn, metres.
     depth_layer_limit: f32,
     /// The share of a slice's depth, or of a map's half width, over which views blend into each other.

@@ -42,13 +42,10 @@ fn umbrage_face(light: u32, world_position: vec3f) -> u32 {
     return select(select(4u, 2u, is_y), 0u, is_x) + select(0u, 1u, part < 0.0);
 }
 
-/// How much rounding may make of a stored depth and of the one that it is compared with. The depth of a parallel view is a sum
-/// whose terms are as large as its translation, that of others is a quotient.
+/// How much rounding may make of a stored depth and of the one that it is compared with.
 fn umbrage_depth_rounding(view_index: u32, stored: f32) -> f32 {
-    let translation = umbrage_frame.views[view_index].clip_from_local[3].z;
-    let is_sun = umbrage_frame.views[view_index].light_kind == UMBRAGE_LIGHT_SUN;
-    let rounded = select(abs(stored), 1.0 + abs(translation), is_sun);
-    return umbrage_frame.depth_step + umbrage_frame.depth_rounding * rounded;
+    let rounding = umbrage_frame.views[view_index].depth_rounding;
+    return rounding.x + rounding.y * abs(stored);
 }
 
 /// From unwarped stored depth, 1 on the near plane and 0 on the far one, to linear depth in a view: 0 on the near plane and 1

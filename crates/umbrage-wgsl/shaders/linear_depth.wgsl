@@ -5,7 +5,7 @@ import package::light::umbrage_linear_of_unwarped;
 
 /// The factor by which a warp has scaled stored depth at a place of a tile, given in texels.
 fn umbrage_depth_scale(view_index: u32, texel: vec2f) -> f32 {
-    let ndc = texel / umbrage_frame.views[view_index].tile_size * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0);
+    let ndc = texel / umbrage_frame.views[view_index].tile.z * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0);
     return dot(umbrage_frame.views[view_index].depth_scale, vec3f(ndc, 1.0));
 }
 

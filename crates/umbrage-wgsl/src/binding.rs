@@ -70,6 +70,8 @@ pub enum SamplerKind {
     Comparison,
     /// Weighs texels.
     Filtering,
+    /// Reads texels as they are.
+    NonFiltering,
 }
 
 /// Which stages read a binding.

@@ -51,6 +51,8 @@ impl TexelFormat {
 /// What a device can do, as far as formats and shader texts depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct TextureSupport {
+    /// Whether shaders read depths as numbers, one or four at once. Where not, as on OpenGL, samplers compare them.
+    pub loads_depth: bool,
     /// Whether samplers weigh 32-bit textures. Where not, shaders do, at one size and without anisotropy.
     pub filters_float32: bool,
     /// Whether there are textures of 16-bit normalised numbers. Where not, 32 bits hold the same numbers.
@@ -61,9 +63,11 @@ pub struct TextureSupport {
 
 impl TextureSupport {
     /// Everything that shadows can profit from.
-    pub const ALL: Self = Self { filters_float32: true, has_unorm16: true, writes_two_float16: true };
+    pub const ALL: Self =
+        Self { loads_depth: true, filters_float32: true, has_unorm16: true, writes_two_float16: true };
     /// What every device with WebGPU can do.
-    pub const WEBGPU: Self = Self { filters_float32: false, has_unorm16: false, writes_two_float16: false };
+    pub const WEBGPU: Self =
+        Self { loads_depth: true, filters_float32: false, has_unorm16: false, writes_two_float16: false };
 }
 
 /// What a texel of moments is on a device.

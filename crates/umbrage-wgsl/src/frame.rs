@@ -3,7 +3,8 @@
 use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{DVec3, Mat4, UVec2, Vec2, Vec3, Vec4};
 use umbrage_core::{
-    Light, LightKind, MAX_LIGHTS, Settings, Shade, ShadowPlan, ShadowView, TransparentCasters,
+    DepthFormat, Light, LightKind, MAX_LIGHTS, Rays, Settings, Shade, ShadowPlan, ShadowView, Tile,
+    TransparentCasters,
 };
 
 use crate::levels::{Levels, levels};
@@ -12,9 +13,7 @@ use crate::shared::shared_with_shaders;
 shared_with_shaders! {
     struct View {
         clip_from_local: Mat4,
-        tile_origin: Vec2,
-        tile_size: f32,
-        layer: i32,
+        tile: Vec4,
         depth_start: f32,
         depth_end: f32,
         clip_depth_end: f32,
@@ -25,6 +24,10 @@ shared_with_shaders! {
         caster_error: f32,
         local_origin: Vec3,
         lattice: UVec2,
+        depth_rounding: Vec2,
+        held_x: Vec4,
+        held_y: Vec4,
+        held_w: Vec4,
     }
 }
 
@@ -56,8 +59,6 @@ shared_with_shaders! {
         bias_bend: f32,
         bias_normal: f32,
         terminator: f32,
-        depth_step: f32,
-        depth_rounding: f32,
         depth_layer_limit: f32,
         blend: f32,
         transparent_casters: u32,
@@ -124,7 +125,8 @@ fn frame(plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings, mu
         *slot = light(plan, settings, origin, i, of);
     }
     views.clear();
-    views.extend(plan.views().iter().map(|of| view(plan, origin, of)));
+    let reach_texels = settings.filter.reach_texels();
+    views.extend(plan.views().iter().map(|of| view(plan, origin, of, reach_texels)));
     Frame {
         depth_row: forward.extend(-forward.dot(camera.eye())),
         clip_x_row: clip_from_world.row(0),
@@ -141,8 +143,6 @@ fn frame(plan: &ShadowPlan, settings: &Settings, surroundings: &Surroundings, mu
         bias_bend: settings.bias.bend,
         bias_normal: settings.bias.normal,
         terminator: settings.bias.terminator,
-        depth_step: settings.depth.step(),
-        depth_rounding: settings.depth.rounding(),
         depth_layer_limit: settings.bias.depth_layer_limit,
         blend: settings.blend,
         transparent_casters: transparent_number(settings.transparent_casters),
@@ -198,12 +198,12 @@ fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, li
     }
 }
 
-fn view(plan: &ShadowPlan, origin: DVec3, view: &ShadowView) -> View {
+fn view(plan: &ShadowPlan, origin: DVec3, view: &ShadowView, reach_texels: f32) -> View {
+    let clip_from_local = view.clip_from_local(origin);
+    let Tile { layer, x, y, size } = view.tile;
     View {
-        clip_from_local: view.clip_from_local(origin),
-        tile_origin: Vec2::new(view.tile.x as f32, view.tile.y as f32),
-        tile_size: view.tile.size as f32,
-        layer: view.tile.layer as i32,
+        clip_from_local,
+        tile: Vec4::new(x as f32, y as f32, size as f32, layer as f32),
         depth_start: view.depths.start,
         depth_end: view.depths.end,
         clip_depth_end: plan.camera().clip_depth(view.depths.end),
@@ -214,5 +214,27 @@ fn view(plan: &ShadowPlan, origin: DVec3, view: &ShadowView) -> View {
         caster_error: view.caster_error,
         local_origin: view.local_origin(origin),
         lattice: UVec2::from_array(view.lattice()),
+        depth_rounding: depth_rounding(plan.settings().depth, view.rays, clip_from_local.w_axis.z),
+        held_x: clip_from_local.row(0),
+        held_y: clip_from_local.row(1),
+        held_w: clip_from_local.row(3) * held_share(size, reach_texels),
     }
+}
+
+/// How much rounding may make of a depth that is stored in a view with these rays, and a translation along them, and of the one that
+/// it is compared with: a number, and a share of the stored one. The depth of a parallel view is a sum whose terms are as large as
+/// its translation, that of others is a quotient.
+fn depth_rounding(format: DepthFormat, rays: Rays, translation: f32) -> Vec2 {
+    match rays {
+        Rays::Parallel => Vec2::new(format.step() + format.rounding() * (1.0 + translation.abs()), 0.0),
+        Rays::FromApex { .. } => Vec2::new(format.step(), format.rounding()),
+    }
+}
+
+/// What share of a map's half width, from its middle on, holds a filter's whole footprint; and a little more than what shaders may
+/// round in finding out.
+fn held_share(tile_size: u32, reach_texels: f32) -> f32 {
+    /// 2⁷ of the steps in which f32 holds places at the border.
+    const ROUNDED: f32 = 1e-5;
+    1.0 + ROUNDED - 2.0 * reach_texels / tile_size as f32
 }

@@ -19,11 +19,27 @@ pub struct ShaderKey {
     filter: &'static str,
     select: Select,
     compare_depth: CompareDepth,
+    pub(crate) read: Read,
     /// Whether views are blended with the next.
     blends: bool,
     /// What is stored instead of depth.
     pub(crate) stored: Option<Stored>,
     constants: Vec<(&'static str, Constant)>,
+}
+
+/// Who compares a lookup's depth with what is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Read {
+    /// Nobody compares: moments are read.
+    Moments,
+    /// Samplers compare four texels with one depth.
+    Compared,
+    /// Samplers compare, and each texel has a depth of its own.
+    ComparedByTexel,
+    /// Shaders compare, with depths that they read one by one.
+    Loaded,
+    /// Shaders compare, with depths that they read four at once.
+    Gathered,
 }
 
 /// What a filter stores instead of depth.
@@ -53,6 +69,7 @@ impl ShaderKey {
             filter: settings.filter.kind(),
             select: settings.select,
             compare_depth: settings.compare_depth(),
+            read: Read::of(settings, support),
             blends: settings.blend > 0.0,
             stored: Stored::by(&settings.filter, support),
             constants: numbers.iter().map(|number| (number.name, Constant::from(&number.value))).collect(),
@@ -66,10 +83,15 @@ impl ShaderKey {
 
     /// Which module declares what this key chooses.
     pub(crate) fn choices(&self) -> Vec<(&'static str, &'static str)> {
-        let (compare, by_texel) = match self.compare_depth {
-            CompareDepth::Plane => ("receiver/compare_plane", true),
-            CompareDepth::Facing => ("receiver/compare_facing", true),
-            CompareDepth::Own => ("receiver/compare_own", false),
+        let compare = match self.compare_depth {
+            CompareDepth::Plane => "receiver/compare_plane",
+            CompareDepth::Facing => "receiver/compare_facing",
+            CompareDepth::Own => "receiver/compare_own",
+        };
+        let (tap, lit, filter) = match self.read {
+            Read::Moments | Read::Compared => ("sampling/tap_four", "sampling/lit_compared", ""),
+            Read::ComparedByTexel => ("sampling/tap_one", "sampling/lit_compared", "_by_texel"),
+            Read::Loaded | Read::Gathered => ("sampling/tap_one", "sampling/lit_loaded", "_by_quad"),
         };
         let (select, blend) = match self.select {
             Select::Depth => ("receiver/select_depth", "receiver/blend_depth"),
@@ -81,11 +103,27 @@ impl ShaderKey {
             ("umbrage_blend", if self.blends { blend } else { "receiver/blend_none" }),
             ("umbrage_gradient", compare),
             ("umbrage_normal_offset", compare),
-            ("umbrage_tap", if by_texel { "sampling/tap_one" } else { "sampling/tap_four" }),
-            ("umbrage_filter", modules::filter_module(self.filter, by_texel)),
+            ("umbrage_tap", tap),
+            ("umbrage_lit", lit),
+            ("umbrage_filter", modules::filter_module(self.filter, filter)),
         ];
         choices.extend(self.stored.as_ref().and_then(Stored::read_by).map(|by| ("umbrage_moments_at", by)));
         choices
+    }
+}
+
+impl Read {
+    fn of(settings: &Settings, support: TextureSupport) -> Self {
+        if !settings.filter.compares_depths() {
+            return Self::Moments;
+        }
+        let is_grid = modules::has_own(settings.filter.kind(), "_by_quad");
+        match settings.compare_depth() {
+            CompareDepth::Own => Self::Compared,
+            CompareDepth::Plane | CompareDepth::Facing if !support.loads_depth => Self::ComparedByTexel,
+            CompareDepth::Plane | CompareDepth::Facing if is_grid => Self::Gathered,
+            CompareDepth::Plane | CompareDepth::Facing => Self::Loaded,
+        }
     }
 }
 

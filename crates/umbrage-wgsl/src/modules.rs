@@ -2,11 +2,16 @@
 
 include!(concat!(env!("OUT_DIR"), "/modules.rs"));
 
-/// A filter's module is the file of its kind; where each texel is compared by itself the one for that, if there is one. Every kind
-/// has a file, as a test holds.
-pub(crate) fn filter_module(kind: &str, by_texel: bool) -> &'static str {
-    let alone = by_texel.then(|| module(&format!("filter/{kind}_by_texel"))).flatten();
-    alone.or_else(|| module(&format!("filter/{kind}"))).unwrap_or("filter/hard")
+/// A filter's module is the file of its kind; for one way to read depths (`_by_texel`, `_by_quad`) the one for that, if there is
+/// one. Every kind has a file, as a test holds.
+pub(crate) fn filter_module(kind: &str, way: &str) -> &'static str {
+    let own = module(&format!("filter/{kind}{way}"));
+    own.or_else(|| module(&format!("filter/{kind}"))).unwrap_or("filter/hard")
+}
+
+/// Whether a filter has a module of its own for a way to read depths.
+pub(crate) fn has_own(kind: &str, way: &str) -> bool {
+    module(&format!("filter/{kind}{way}")).is_some()
 }
 
 /// The module of moments is the file of their name. All have a file, as a test holds.

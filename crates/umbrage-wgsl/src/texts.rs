@@ -5,7 +5,7 @@ use umbrage_core::{Contact, DepthLayer, ShaderNumber, ShaderValue};
 use crate::binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
 use crate::constants::lines;
 use crate::error::ImportError;
-use crate::key::{ShaderKey, StoredLayout};
+use crate::key::{Read, ShaderKey, StoredLayout};
 use crate::link::{Recipe, link};
 
 /// Modules that every receiver's text holds: [`contact`] goes behind it.
@@ -39,11 +39,14 @@ pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
         let kind = BindingKind::Texture { sample, dimension: Dimension::D2Array };
         Binding { binding: 3, name, kind, stages }
     };
-    let mut bindings = vec![
-        Binding::frame(stages),
-        Binding::depth_maps(1, "umbrage_map", stages),
-        sampler(2, "umbrage_compare", SamplerKind::Comparison),
-    ];
+    let mut bindings = vec![Binding::frame(stages), Binding::depth_maps(1, "umbrage_map", stages)];
+    match key.read {
+        Read::Compared | Read::ComparedByTexel => {
+            bindings.push(sampler(2, "umbrage_compare", SamplerKind::Comparison));
+        }
+        Read::Gathered => bindings.push(sampler(2, "umbrage_nearest", SamplerKind::NonFiltering)),
+        Read::Moments | Read::Loaded => {}
+    }
     match key.stored.map(|stored| stored.layout) {
         None => {}
         Some(StoredLayout::Sums { .. }) => bindings.push(array_of("umbrage_sums", SampleType::Uint)),

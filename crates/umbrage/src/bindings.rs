@@ -27,8 +27,18 @@ pub(crate) fn group<'a>(
     layout: &wgpu::BindGroupLayout,
     resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
 ) -> wgpu::BindGroup {
-    let entries: Vec<_> =
-        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+    group_at(objects, label, layout, (0..).zip(resources))
+}
+
+/// A group that binds these, each at its number.
+pub(crate) fn group_at<'a>(
+    objects: &Objects<'_>,
+    label: &str,
+    layout: &wgpu::BindGroupLayout,
+    resources: impl IntoIterator<Item = (u32, wgpu::BindingResource<'a>)>,
+) -> wgpu::BindGroup {
+    let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
+    let entries: Vec<_> = resources.into_iter().map(entry).collect();
     objects.group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }
 
@@ -73,6 +83,9 @@ fn kind(kind: BindingKind) -> wgpu::BindingType {
         }
         BindingKind::Sampler(SamplerKind::Filtering) => {
             wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)
+        }
+        BindingKind::Sampler(SamplerKind::NonFiltering) => {
+            wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering)
         }
     }
 }

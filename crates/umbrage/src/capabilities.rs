@@ -9,7 +9,8 @@ pub struct Capabilities {
     pub unclipped_depth: bool,
     /// Depth textures can be copied to buffers.
     pub read_back: bool,
-    /// Shaders can read depths as numbers, not only compare with them: what soft filters, moments and second layers need.
+    /// Shaders can read depths as numbers, not only compare with them: what soft filters, moments and second layers need, and
+    /// what makes all lookups cheaper that compare each texel by itself.
     pub loads_depth: bool,
     /// Samplers weigh 32-bit textures; otherwise shaders do, at one size and without anisotropy.
     pub filters_float32: bool,
@@ -38,8 +39,8 @@ impl Capabilities {
 
     /// What shader texts and formats depend on.
     pub fn textures(self) -> TextureSupport {
-        let Self { filters_float32, has_unorm16, writes_two_float16, .. } = self;
-        TextureSupport { filters_float32, has_unorm16, writes_two_float16 }
+        let Self { loads_depth, filters_float32, has_unorm16, writes_two_float16, .. } = self;
+        TextureSupport { loads_depth, filters_float32, has_unorm16, writes_two_float16 }
     }
 
     /// What a device can do, from the features it was made with.

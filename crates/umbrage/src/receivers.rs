@@ -36,6 +36,9 @@ impl ReceiverLayout {
             (BindingKind::Sampler(SamplerKind::Comparison), _) => {
                 wgpu::BindingResource::Sampler(&samplers.comparison)
             }
+            (BindingKind::Sampler(SamplerKind::NonFiltering), _) => {
+                wgpu::BindingResource::Sampler(&samplers.nearest)
+            }
             (BindingKind::Sampler(SamplerKind::Filtering), _) => {
                 wgpu::BindingResource::Sampler(&samplers.smooth)
             }
@@ -45,7 +48,8 @@ impl ReceiverLayout {
             }
             (BindingKind::Storage | BindingKind::Uniform { .. }, _) => buffers.frame.as_entire_binding(),
         };
-        bindings::group(objects, "Shadows::receiver_group", &self.layout, self.bindings.iter().map(resource))
+        let resources = self.bindings.iter().map(|binding| (binding.binding, resource(binding)));
+        bindings::group_at(objects, "Shadows::receiver_group", &self.layout, resources)
     }
 }
 
@@ -55,6 +59,8 @@ pub(crate) struct Samplers {
     kind: SamplersKind,
     /// Lit where the depth to compare with is not greater than what is stored.
     comparison: wgpu::Sampler,
+    /// For depths as they are.
+    nearest: wgpu::Sampler,
     /// For moments.
     smooth: wgpu::Sampler,
 }
@@ -88,6 +94,10 @@ impl Samplers {
             compare: Some(wgpu::CompareFunction::GreaterEqual),
             ..Default::default()
         });
+        let nearest = objects.sampler(&wgpu::SamplerDescriptor {
+            label: Some("Shadows::nearest_sampler"),
+            ..Default::default()
+        });
         let smooth = objects.sampler(&wgpu::SamplerDescriptor {
             label: Some("Shadows::smooth_sampler"),
             mag_filter: wgpu::FilterMode::Linear,
@@ -96,7 +106,7 @@ impl Samplers {
             anisotropy_clamp: kind.anisotropy,
             ..Default::default()
         });
-        Self { kind, comparison, smooth }
+        Self { kind, comparison, nearest, smooth }
     }
 
     /// Whether they are what is asked for.

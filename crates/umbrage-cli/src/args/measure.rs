@@ -34,6 +34,11 @@ pub struct MeasureArgs {
     /// Measure also how unsteady shadows are, along a path from the camera
     #[arg(long, value_enum)]
     pub motion: Option<MotionArg>,
+    /// Judge also what another renderer drew of the same view, beside ours in the same pixels: a folder with its picture
+    /// lit.png, the same without shadows, unshadowed.png, and by ambient light alone, ambient.png, without tone mapping.
+    /// Pixels where the last two are alike are left out
+    #[arg(long, value_name = "DIR")]
+    pub pictures: Option<PathBuf>,
     /// Where a picture of what is wrong goes: orange where falsely shadowed, blue where falsely lit
     #[arg(long, value_name = "FILE.png")]
     pub heat_map: Option<PathBuf>,
@@ -75,6 +80,17 @@ pub enum MotionArg {
     SubTexel,
 }
 
+/// What frames are compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum BaselineArg {
+    /// No shadows
+    NoShadows,
+    /// Every part of the world drawn into every shadow map
+    NoCulling,
+    /// Every shadow map drawn anew, whatever it shows already
+    NoKeeping,
+}
+
 #[derive(Debug, Args)]
 pub struct ReportArgs {
     /// The experiment
@@ -104,9 +120,13 @@ pub struct BenchArgs {
     /// Samples a pixel, 1 or 4
     #[arg(long, default_value_t = 1, value_parser = clap::builder::PossibleValuesParser::new(["1", "4"]).map(|s| if s == "4" { 4u32 } else { 1 }))]
     pub samples: u32,
-    /// Draw each frame twice more: without shadows, and with every part of the world drawn into every shadow map
+    /// Draw every shadow map anew each frame, also those that show already what they should
     #[arg(long)]
-    pub baselines: bool,
+    pub redraw: bool,
+    /// Draw each frame otherwise too: without shadows, with every part of the world drawn into every shadow map, with every map
+    /// drawn anew whatever it shows already, or all three
+    #[arg(long, value_enum, value_name = "WAYS", num_args = 0.., require_equals = true, value_delimiter = ',', default_missing_values = ["no-shadows", "no-culling", "no-keeping"])]
+    pub baselines: Vec<BaselineArg>,
     /// Write JSON to a file, or to stdout as `-`
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,

@@ -62,6 +62,10 @@ pub enum WorldsCommand {
         /// Write everything as it stands at that time, and nothing that moves
         #[arg(long)]
         bake: bool,
+        /// Give each part of a mesh vertices of its own, for programs that read all of a mesh's vertices once for each of its
+        /// parts, as Bevy does
+        #[arg(long)]
+        apart: bool,
         /// Write also its cameras and lights as they stand then, in the coordinates of the .glb, as JSON to a file, or to stdout
         /// as `-`: for renderers that read none from a .glb
         #[arg(long, value_name = "FILE")]

@@ -11,8 +11,8 @@ use umbrage_lab::{Milliseconds, Shot};
 use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
-use self::batch::{Timed, Way};
-use crate::args::BenchArgs;
+use self::batch::{Bench, Timed, Way};
+use crate::args::{BaselineArg, BenchArgs};
 use crate::failure::Outcome;
 use crate::{advice, output, progress, settings, world};
 
@@ -60,8 +60,12 @@ struct Times {
 
 #[derive(Serialize)]
 struct Baselines {
-    no_shadows: Times,
-    no_culling: Times,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_shadows: Option<Times>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_culling: Option<Times>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_keeping: Option<Times>,
 }
 
 #[derive(Serialize)]
@@ -79,7 +83,7 @@ pub fn run(args: &BenchArgs) -> Outcome {
     let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
-    let [shadowed, unshadowed, unculled] = timed(args, &scene, &shot, &gpu, &mut renderer)?;
+    let [shadowed, unshadowed, unculled, forgetful] = timed(args, &scene, &shot, &gpu, &mut renderer)?;
     let layout = renderer.shadows().layout();
     let report = Report {
         world: &scene.name,
@@ -94,9 +98,11 @@ pub fn run(args: &BenchArgs) -> Outcome {
         bytes: renderer.shadows().bytes(),
         frames: shadowed.frames.len(),
         milliseconds: Times::of(&shadowed),
-        baselines: args
-            .baselines
-            .then(|| Baselines { no_shadows: Times::of(&unshadowed), no_culling: Times::of(&unculled) }),
+        baselines: (!args.baselines.is_empty()).then(|| Baselines {
+            no_shadows: Times::of_any(&unshadowed),
+            no_culling: Times::of_any(&unculled),
+            no_keeping: Times::of_any(&forgetful),
+        }),
         every_frame: shadowed
             .frames
             .iter()
@@ -119,7 +125,7 @@ fn timed(
     shot: &Shot,
     gpu: &Gpu,
     renderer: &mut Renderer,
-) -> Outcome<[Timed; 3]> {
+) -> Outcome<[Timed; 4]> {
     let frames = args.frames as usize;
     let share = |number: usize| number as f32 / (frames.max(2) - 1) as f32;
     let mut before = along_path(shot, scene, args, 0.0)?;
@@ -128,15 +134,20 @@ fn timed(
         renderer.render(&before)?;
         bar.inc(1);
     }
-    let mut timed = [Timed::default(), Timed::default(), Timed::default()];
-    let ways = [Way::Shadowed, Way::Unshadowed, Way::Unculled];
-    let ways = if args.baselines { &ways[..] } else { &ways[..1] };
+    let mut timed = [(); 4].map(|()| Timed::default());
+    let has = |baseline| args.baselines.contains(&baseline);
+    let ways = [
+        (Way::Shadowed, true),
+        (Way::Unshadowed, has(BaselineArg::NoShadows)),
+        (Way::Unculled, has(BaselineArg::NoCulling)),
+        (Way::Forgetful, has(BaselineArg::NoKeeping)),
+    ];
     for start in (0..frames).step_by(BATCH) {
         let numbers = start..frames.min(start + BATCH);
         let batch = numbers.map(|number| along_path(shot, scene, args, share(number)));
         let batch = batch.collect::<Outcome<Vec<_>>>()?;
-        for (way, timed) in ways.iter().zip(&mut timed) {
-            timed.add(renderer, gpu, *way, &before, &batch)?;
+        for ((way, _), timed) in ways.iter().zip(&mut timed).filter(|((_, is_wanted), _)| *is_wanted) {
+            timed.add(Bench { renderer, gpu, keeps: !args.redraw }, *way, &before, &batch)?;
         }
         bar.inc(batch.len() as u64);
         before = batch.into_iter().last().unwrap_or(before);
@@ -146,6 +157,11 @@ fn timed(
 }
 
 impl Times {
+    /// The times of a way that was drawn.
+    fn of_any(timed: &Timed) -> Option<Self> {
+        (!timed.frames.is_empty()).then(|| Self::of(timed))
+    }
+
     fn of(timed: &Timed) -> Self {
         let frames = &timed.frames;
         let stages = Milliseconds { frame: Spread::of(timed.batches.clone()), ..Milliseconds::of(frames) };
@@ -183,16 +199,22 @@ fn text(report: &Report<'_>) -> String {
     for View { light, split, draws, triangles } in &report.views {
         text += &format!("light {light} split {split}: {draws} draws, {triangles} triangles\n");
     }
-    if let Some(Baselines { no_shadows, no_culling }) = &report.baselines {
-        text +=
-            &format!("without shadows\n{}without culling parts\n{}", table(no_shadows), table(no_culling));
-        let (with, without) = (&report.milliseconds, no_shadows);
-        text += &format!(
-            "a frame takes {:.2} times as long with shadows\n",
-            with.frame_mean / without.frame_mean
-        );
-        let share = with.stages.casters.median / no_culling.stages.casters.median;
-        text += &format!("casters take {share:.2} times as long with culling\n");
+    let with = &report.milliseconds;
+    let Some(Baselines { no_shadows, no_culling, no_keeping }) = &report.baselines else { return text };
+    if let Some(without) = no_shadows {
+        let ratio = with.frame_mean / without.frame_mean;
+        text += &format!("without shadows\n{}", table(without));
+        text += &format!("a frame takes {ratio:.2} times as long with shadows\n");
+    }
+    if let Some(unculled) = no_culling {
+        let ratio = with.stages.casters.median / unculled.stages.casters.median;
+        text += &format!("without culling parts\n{}", table(unculled));
+        text += &format!("casters take {ratio:.2} times as long with culling\n");
+    }
+    if let Some(anew) = no_keeping {
+        let ratio = with.stages.casters.median / anew.stages.casters.median;
+        text += &format!("with every map drawn anew\n{}", table(anew));
+        text += &format!("casters take {ratio:.3} times as long where tiles are kept\n");
     }
     text
 }

@@ -8,11 +8,14 @@ use serde::Serialize;
 use umbrage_judge::statistics::Interval;
 use umbrage_judge::{DepthBand, jittered};
 use umbrage_lab::figures::{self, Figure};
-use umbrage_lab::{Judged, Laboratory, Measurement, Motion, SUB_PIXELS, Shot, TruthKind, Watch, files};
+use umbrage_lab::{
+    Foreign, ForeignError, Judged, Laboratory, Measurement, Motion, SUB_PIXELS, Shot, TruthKind, Watch,
+    Wrong, files,
+};
 use umbrage_render::{Gpu, Picture};
 
 use crate::args::{MeasureArgs, MotionArg, TruthArg};
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 use crate::{advice, output, progress, settings, world};
 
 /// Pictures are measured this large where the command line does not say, pixels.
@@ -28,6 +31,9 @@ struct Report<'a> {
     /// The mean of every figure over the jittered cameras, and how far from the true mean it may be.
     #[serde(skip_serializing_if = "Option::is_none")]
     intervals: Option<BTreeMap<&'static str, Sure>>,
+    /// What is wrong with the shadows that another renderer drew.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pictures: Option<ForeignError>,
 }
 
 #[derive(Serialize)]
@@ -43,6 +49,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let scene = world::open(&args.world)?;
     advice::warn_of_open_casters(&scene, &settings);
     let shot = world::shot(&args.world, &scene, SIZE)?;
+    let foreign = args.pictures.as_deref().map(|folder| foreign(folder, &shot)).transpose()?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let bar = progress::bar(u64::from(args.repeats), "measuring");
@@ -63,15 +70,22 @@ pub fn run(args: &MeasureArgs) -> Outcome {
         judged.measurement.flicker =
             Some(laboratory.flicker(&shot, &settings, motion(arg), Watch::default())?);
     }
+    let pictures = match &foreign {
+        Some(foreign) => laboratory.judge_foreign(&shot, &judged, foreign)?,
+        None => None,
+    };
     bar.finish_and_clear();
     write_pictures(args, &judged)?;
     let measurement = &judged.measurement;
     let intervals = (!others.is_empty()).then(|| intervals(measurement, &others));
     match &args.json {
         Some(path) => {
-            output::write_json(path, &Report { measurement, origin: scene.origin.to_array(), intervals })?;
+            output::write_json(
+                path,
+                &Report { measurement, origin: scene.origin.to_array(), intervals, pictures },
+            )?;
         }
-        None => output::print(&text(measurement, intervals.as_ref()))?,
+        None => output::print(&(text(measurement, intervals.as_ref()) + &foreign_text(pictures.as_ref())))?,
     }
     Ok(())
 }
@@ -84,6 +98,16 @@ fn check_outputs(args: &MeasureArgs) -> Outcome {
         files::check_writable(folder.unwrap_or(Path::new(".")))?;
     }
     Ok(())
+}
+
+/// What another renderer drew of the shot, which has one light.
+fn foreign(folder: &Path, shot: &Shot) -> Outcome<Foreign> {
+    let lights = shot.lights.len();
+    if lights != 1 {
+        let wanted = "--pictures is judged by one light; choose it with --light or --sun";
+        return Err(Failure::usage(format!("{wanted}, got {lights}")));
+    }
+    Ok(Foreign::read(folder)?)
 }
 
 fn kind(args: &MeasureArgs) -> TruthKind {
@@ -157,6 +181,19 @@ fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sur
         text += &format!("split {i}: {}\n", band_text(band));
     }
     text
+}
+
+fn foreign_text(pictures: Option<&ForeignError>) -> String {
+    let Some(ForeignError { pixels, share, error, ours }) = pictures else { return String::new() };
+    let wrong = |wrong: &Wrong| {
+        format!("{:.3} % mis-shadowed, mean error {:.4}", 100.0 * wrong.mis_shadowed, wrong.mae)
+    };
+    let share = 100.0 * share;
+    format!(
+        "\nof {pixels} pixels, {share:.1} % of those judged:\n  pictures {}\n  ours     {}\n",
+        wrong(error),
+        wrong(ours)
+    )
 }
 
 fn band_text(band: &DepthBand) -> String {

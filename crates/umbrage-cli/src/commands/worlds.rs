@@ -1,7 +1,7 @@
 //! `umbrage worlds`, `umbrage worlds --markdown`, `umbrage worlds export`
 
 use umbrage_lab::files;
-use umbrage_scene::worlds;
+use umbrage_scene::{Vertices, worlds};
 
 use crate::args::{WorldsArgs, WorldsCommand};
 use crate::cameras_json::CamerasJson;
@@ -11,13 +11,14 @@ use crate::{pages, world};
 
 pub fn run(args: &WorldsArgs) -> Outcome {
     match &args.command {
-        Some(WorldsCommand::Export { world, output, seed, when, bake, cameras }) => {
+        Some(WorldsCommand::Export { world, output, seed, when, bake, apart, cameras }) => {
             let mut scene = world::load(world, *seed)?;
             world::play(&mut scene, when)?;
             let pose = world::pose(&scene, when)?;
             let views = cameras.as_ref().map(|path| (path, CamerasJson::new(&scene, &pose)));
             let scene = if *bake { scene.baked(&pose) } else { scene };
-            files::write(output, &umbrage_scene::to_glb(&scene)?)?;
+            let vertices = if *apart { Vertices::Apart } else { Vertices::Shared };
+            files::write(output, &umbrage_scene::to_glb_with(&scene, vertices)?)?;
             if let Some((path, views)) = views {
                 write_json(path, &views)?;
             }

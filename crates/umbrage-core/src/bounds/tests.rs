@@ -155,6 +155,15 @@ fn difference(a: &ShadowPlan, b: &ShadowPlan) -> Option<String> {
 }
 
 #[test]
+fn a_box_without_an_end_is_found_as_it_is_alone() {
+    // Along x it is inside of planes across y, whose sums with it are no numbers.
+    let bounds = Bounds::new(vec![Aabb { min: Vec3::ZERO, max: Vec3::new(f32::INFINITY, 1.0, 1.0) }]);
+    let across = ConvexVolume::of_clip(&Mat4::from_scale(Vec3::splat(0.01)));
+    assert_eq!(touching(&bounds, &across), touching_one_by_one(&bounds, &across));
+    assert!(!bounds.can_be_planned());
+}
+
+#[test]
 fn a_tree_that_was_outgrown_is_built_anew_and_finds_as_few() {
     // A row of boxes that trade places with others far away, all at once.
     let at = |x: usize| {

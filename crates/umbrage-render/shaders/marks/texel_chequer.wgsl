@@ -18,7 +18,7 @@ fn painted(base: vec3f, receiver: Receiver, facing: vec3f) -> vec3f {
     }
     // Where the receiver is, not where it looks: a bias may look beside.
     let clip = umbrage_clip_from_local(view) * vec4f(umbrage_local(view, world), 1.0);
-    let texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * umbrage_frame.views[view].tile_size;
+    let texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * umbrage_frame.views[view].tile.z;
     let tint = split_colour(view - umbrage_frame.lights[0].first_view);
     return mix(mix(base, tint, 0.35) * 0.35, mix(base, vec3f(0.9), 0.6), texel_chequer(texel, footprint_of(view, receiver, facing)));
 }

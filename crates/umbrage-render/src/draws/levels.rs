@@ -5,11 +5,12 @@
 
 use std::ops::Range;
 
-use umbrage::Bounds;
+use umbrage::{Bounds, ConvexVolume};
 
 use super::detail::Detail;
 use super::lists::Geometry;
 use super::parts::{PartRow, Slot};
+use super::touched::Touched;
 use super::{aabb, by_instance};
 use crate::caster_geometry::MeshLevels;
 use crate::posed::Posed;
@@ -19,7 +20,7 @@ use crate::posed::Posed;
 pub(super) struct Levels {
     pub rows: Vec<PartRow>,
     pub slots: Vec<Slot>,
-    pub boxes: Bounds,
+    boxes: Bounds,
     /// The mesh of each row, and the errors of its level and of the next, in mesh space.
     meshes: Vec<u32>,
     errors: Vec<Range<f32>>,
@@ -82,6 +83,12 @@ impl Levels {
                 self.slots.extend(slots.iter().map(|slot| Slot { part: row, ..*slot }));
             }
         }
+    }
+
+    /// Finds the slots whose boxes may touch a volume.
+    pub fn touch(&self, touched: &mut Touched, volume: &ConvexVolume) {
+        touched.make_room(self.slots.len());
+        self.boxes.touching(volume, |number| touched.insert(number));
     }
 
     /// Whether a part's mesh has levels that cast in its place.

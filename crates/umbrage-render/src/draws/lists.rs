@@ -20,7 +20,8 @@ pub struct Draw {
     pub cover: Cover,
     /// Whether front faces are clockwise: the instances mirror the mesh.
     pub mirrored: bool,
-    /// The depth that veils are sorted by, metres; 0 of other draws.
+    /// What draws of the camera are sorted by: the depth of veils, metres; the square of the distance of what is solid or cut.
+    /// It is 0 of casters.
     pub depth: f32,
     /// The range of the list of instance numbers.
     pub instances: Range<u32>,
@@ -44,12 +45,14 @@ pub struct DrawLists {
     /// Where each view's draws end.
     pub(super) ends: Vec<usize>,
     pub(super) touched: Touched,
+    /// Room for the instances of a part, each with the square of its distance from the eye.
+    pub(super) by_distance: Vec<(f32, u32)>,
 }
 
 impl DrawLists {
     /// Removes all views.
     pub fn clear(&mut self) {
-        let Self { instances, draws, ends, touched: _ } = self;
+        let Self { instances, draws, ends, touched: _, by_distance: _ } = self;
         instances.clear();
         draws.clear();
         ends.clear();

@@ -5,6 +5,10 @@ use umbrage_scene::{Mesh, Primitive};
 
 use super::*;
 
+mod epochs;
+mod levels;
+mod one_by_one;
+
 /// A row of `count` small triangles along x, one a metre.
 fn row(count: u32, material: usize) -> Primitive {
     let corners = [Vec3::ZERO, Vec3::X * 0.5, Vec3::Z * 0.5];
@@ -41,10 +45,11 @@ fn everything_is_a_draw_a_mesh_when_materials_go_together() {
     let scene = scene();
     let mut lists = DrawLists::default();
     PartTable::new(&scene).add_casters(&mut lists, None);
-    PartTable::new(&scene).add_seen(&mut lists, &everywhere());
+    PartTable::new(&scene).add_seen(&mut lists, &everywhere(), Vec3::ZERO);
     let triangles = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
     assert_eq!((lists.view(0).len(), triangles(0)), (2, 8192 + 16));
-    assert_eq!((lists.view(1).len(), triangles(1)), (3, 8192 + 16));
+    assert_eq!(lists.view(1), [], "nothing moves");
+    assert_eq!((lists.view(2).len(), triangles(2)), (3, 8192 + 16));
 }
 
 #[test]
@@ -55,8 +60,9 @@ fn only_parts_that_touch_the_volume_are_drawn() {
     PartTable::new(&scene).add_casters(&mut lists, Some(&ConvexVolume::empty()));
     // The first of four parts of the long row, and the nearer one of the two short rows.
     assert_eq!(lists.view(0).iter().map(Draw::triangles).collect::<Vec<_>>(), [2048, 8]);
-    assert_eq!(lists.view(1), []);
+    assert!((1..4).all(|view| lists.view(view).is_empty()));
 }
+
 #[test]
 fn what_casts_nothing_is_seen_and_drawn_into_no_map_and_skies_are_not_planned_for() {
     let mut scene = scene();
@@ -65,9 +71,9 @@ fn what_casts_nothing_is_seen_and_drawn_into_no_map_and_skies_are_not_planned_fo
         let mut lists = DrawLists::default();
         let table = PartTable::new(scene);
         table.add_casters(&mut lists, None);
-        table.add_seen(&mut lists, &everywhere());
+        table.add_seen(&mut lists, &everywhere(), Vec3::ZERO);
         let of = |view: usize| lists.view(view).iter().map(Draw::triangles).sum::<u64>();
-        (of(0), of(1), table.bounds().objects().iter().filter(|aabb| !aabb.is_empty()).count())
+        (of(0), of(2), table.bounds().objects().iter().filter(|aabb| !aabb.is_empty()).count())
     };
     // Four parts and twice two, of 4 triangles each.
     assert_eq!(triangles(&scene), (8192 + 16, 8192 + 16, 8));
@@ -90,8 +96,8 @@ fn lists_that_are_made_again_take_no_more_room() {
     let mut room = || {
         lists.clear();
         table.add_casters(&mut lists, None);
-        table.add_seen(&mut lists, &before(50.0));
-        let DrawLists { instances, draws, ends, touched: _ } = &lists;
+        table.add_seen(&mut lists, &before(50.0), Vec3::ZERO);
+        let DrawLists { instances, draws, ends, touched: _, by_distance: _ } = &lists;
         let (instances, draws, ends) = (instances.as_ptr_range(), draws.as_ptr_range(), ends.as_ptr_range());
         (instances, draws, ends)
     };
@@ -129,36 +135,13 @@ fn solid_parts_come_first_and_veils_from_the_deepest_on() {
     let table = PartTable::new(&scene);
     let mut lists = DrawLists::default();
     table.add_casters(&mut lists, None);
-    table.add_seen(&mut lists, &everywhere());
+    table.add_seen(&mut lists, &everywhere(), Vec3::ZERO);
     table.add_veils(&mut lists, &everywhere(), |middle| middle.z + 0.001 * middle.x);
     let covers = |view: usize| lists.view(view).iter().map(|draw| draw.cover).collect::<Vec<_>>();
     // The four parts of the long row are one draw.
     assert_eq!(covers(0), [Cover::Solid, Cover::Cut, Cover::Veil, Cover::Veil]);
-    assert_eq!(covers(1), [Cover::Solid, Cover::Cut]);
-    assert_eq!(covers(2), [Cover::Veil; 6]);
-    let depths: Vec<f32> = lists.view(2).iter().map(|draw| draw.depth).collect();
+    assert_eq!(covers(2), [Cover::Solid, Cover::Cut]);
+    assert_eq!(covers(3), [Cover::Veil; 6]);
+    let depths: Vec<f32> = lists.view(3).iter().map(|draw| draw.depth).collect();
     assert!(depths.is_sorted_by(|a, b| a >= b) && depths[0] > 50.0 && depths[5] < 10.0, "{depths:?}");
-}
-
-#[test]
-fn an_epoch_is_the_number_of_the_last_move_that_changed_an_instance() {
-    let mut scene = scene();
-    let turn = |radians_per_second| umbrage_scene::Motion::Rotation {
-        centre: Vec3::ZERO,
-        axis: Vec3::Y,
-        radians_per_second,
-    };
-    scene.instances[1].motion = turn(1.0);
-    // What turns by nothing may move, and does not.
-    scene.instances[2].motion = turn(0.0);
-    let mut table = PartTable::new(&scene);
-    assert_eq!([0, 1, 2, 3].map(|i| table.can_move(i)), [false, true, true, false]);
-    let mut epochs = |seconds| {
-        table.move_to(&scene.instances, &Pose::at(seconds));
-        [0, 1, 2, 3].map(|i| table.epoch(i))
-    };
-    assert_eq!(epochs(0.0), [0, 0, 0, 0], "it stands there already");
-    assert_eq!(epochs(1.0), [0, 1, 0, 0]);
-    assert_eq!(epochs(1.0), [0, 1, 0, 0], "the same pose");
-    assert_eq!(epochs(0.0), [0, 2, 0, 0], "back, which is another move");
 }

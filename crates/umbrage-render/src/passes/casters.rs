@@ -70,7 +70,7 @@ impl Casters {
         scene: &SceneBuffers,
         levels: Option<&CasterGeometry>,
         instance_numbers: &wgpu::Buffer,
-        draws: &[Draw],
+        draws: [&[Draw]; 2],
     ) {
         let pipelines = match surface {
             Surface::First if view.unclipped_depth => Some(&self.first),
@@ -81,7 +81,7 @@ impl Casters {
         let Some(pipelines) = pipelines else { return };
         pass.set_bind_group(1, &self.instances, &[]);
         let (mut set, mut buffers, mut material) = (None, None, None);
-        for draw in draws {
+        for draw in draws.into_iter().flatten() {
             let is_solid = draw.cover == Cover::Solid;
             if set != Some((draw.cover, draw.mirrored)) {
                 let found = pipelines.iter().find(|(cover, _)| *cover == draw.cover);

@@ -1,6 +1,4 @@
-//! The camera's depth, drawn before shading for contact shadows: the same receivers, depth alone, one sample a pixel.
-
-use umbrage::{Camera, ContactShadows};
+//! The camera's depth, drawn before shading: then only what is seen is shaded, and contact shadows know what is there.
 
 use crate::cover::Cover;
 use crate::draws::Draw;
@@ -10,60 +8,35 @@ use crate::scene_uniform::SceneUniform;
 use crate::shaders;
 use crate::target::DEPTH_FORMAT;
 
-/// Pipelines that draw depth, and the depth of a picture of one size.
+/// Pipelines that draw depth into targets of so many samples a pixel.
 #[derive(Debug)]
 pub(crate) struct Prepass {
-    contact: ContactShadows,
-    /// One for each cover of the scene.
+    pub samples: u32,
+    /// One for each cover of the scene that the pass draws.
     by_cover: Vec<(Cover, wgpu::RenderPipeline)>,
-    depth: Depth,
-}
-
-#[derive(Debug)]
-struct Depth {
-    size: [u32; 2],
-    view: wgpu::TextureView,
-    group: wgpu::BindGroup,
 }
 
 impl Prepass {
+    /// Whether the pass draws surfaces of a cover. With several samples a pixel, what is cut out has edges that only its
+    /// colour knows.
+    pub fn draws(cover: Cover, samples: u32) -> bool {
+        cover == Cover::Solid || samples == 1
+    }
+
     /// The vertex shaders are those of the shading pass, so that both passes see the same depths.
-    pub fn new(gpu: &Gpu, (uniform, scene): (&SceneUniform, &SceneBuffers), size: [u32; 2]) -> Self {
-        let by_cover =
-            scene.covers.iter().map(|cover| (*cover, pipeline(gpu, uniform, scene, *cover))).collect();
-        let contact = ContactShadows::new(&gpu.device);
-        Self { depth: Depth::new(gpu, &contact, size), contact, by_cover }
+    pub fn new(gpu: &Gpu, (uniform, scene): (&SceneUniform, &SceneBuffers), samples: u32) -> Self {
+        let covers = scene.covers.iter().filter(|cover| Self::draws(**cover, samples));
+        let by_cover = covers.map(|cover| (*cover, pipeline(gpu, uniform, scene, *cover, samples))).collect();
+        Self { samples, by_cover }
     }
 
-    /// Makes depth for a picture of `size` pixels, where it has another size.
-    pub fn resize(&mut self, gpu: &Gpu, size: [u32; 2]) {
-        if self.depth.size != size {
-            self.depth = Depth::new(gpu, &self.contact, size);
-        }
-    }
-
-    /// Tells the GPU from where the depth is seen.
-    pub fn upload(&self, gpu: &Gpu, camera: &Camera) {
-        self.contact.upload(&gpu.queue, camera);
-    }
-
-    /// The layout of [`Self::group`].
-    pub fn layout(&self) -> &wgpu::BindGroupLayout {
-        self.contact.bind_group_layout()
-    }
-
-    /// What shaders that march through the depth read, as group 3.
-    pub fn group(&self) -> &wgpu::BindGroup {
-        &self.depth.group
-    }
-
-    /// Draws receivers, and veils where they cover at least half of their place.
+    /// Draws the depth of receivers, and of veils where they cover at least half of their place.
     pub fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
+        depth: &wgpu::TextureView,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
-        uniform: &SceneUniform,
-        scene: &SceneBuffers,
+        (uniform, scene): (&SceneUniform, &SceneBuffers),
         instance_numbers: &wgpu::Buffer,
         draws: [&[Draw]; 2],
     ) {
@@ -71,7 +44,7 @@ impl Prepass {
             label: Some("Prepass::pass"),
             color_attachments: &[],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.depth.view,
+                view: depth,
                 // Reversed: nothing is at the far plane.
                 depth_ops: Some(wgpu::Operations {
                     load: wgpu::LoadOp::Clear(0.0),
@@ -85,7 +58,7 @@ impl Prepass {
         });
         pass.set_bind_group(0, &uniform.group, &[]);
         let mut set = None;
-        for draw in draws.iter().flat_map(|draws| draws.iter()) {
+        for draw in draws.into_iter().flatten() {
             if set != Some(draw.cover) {
                 let found = self.by_cover.iter().find(|(cover, _)| *cover == draw.cover);
                 let Some((_, pipeline)) = found else { continue };
@@ -101,7 +74,13 @@ impl Prepass {
     }
 }
 
-fn pipeline(gpu: &Gpu, uniform: &SceneUniform, scene: &SceneBuffers, cover: Cover) -> wgpu::RenderPipeline {
+fn pipeline(
+    gpu: &Gpu,
+    uniform: &SceneUniform,
+    scene: &SceneBuffers,
+    cover: Cover,
+    samples: u32,
+) -> wgpu::RenderPipeline {
     let module = gpu.module("Prepass::module", shaders::depth(cover));
     let is_solid = cover == Cover::Solid;
     let groups = [Some(&uniform.layout), None, Some(&scene.materials.layout)];
@@ -124,7 +103,7 @@ fn pipeline(gpu: &Gpu, uniform: &SceneUniform, scene: &SceneBuffers, cover: Cove
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState::default(),
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
         fragment: (!is_solid).then(|| wgpu::FragmentState {
             module: &module,
             entry_point: Some("cut_depth"),
@@ -134,22 +113,4 @@ fn pipeline(gpu: &Gpu, uniform: &SceneUniform, scene: &SceneBuffers, cover: Cove
         multiview_mask: None,
         cache: None,
     })
-}
-
-impl Depth {
-    fn new(gpu: &Gpu, contact: &ContactShadows, size: [u32; 2]) -> Self {
-        let texture = gpu.texture(&wgpu::TextureDescriptor {
-            label: Some("Prepass::depth"),
-            size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: DEPTH_FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let group = contact.bind_group(&gpu.device, &view);
-        Self { size, view, group }
-    }
 }

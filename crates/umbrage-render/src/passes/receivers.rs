@@ -5,6 +5,7 @@ use umbrage::Shadows;
 use crate::cover::Cover;
 use crate::draws::Draw;
 use crate::gpu::Gpu;
+use crate::passes::prepass::Prepass;
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers};
 use crate::scene_uniform::SceneUniform;
 use crate::shaders::{self, Covering, Look, RECEIVER_ENTRY};
@@ -30,6 +31,8 @@ struct Made<'a> {
     look: Look,
     encoding: Encoding,
     samples: u32,
+    /// Whether the depth of what the pass before this draws is there.
+    after_depth: bool,
     /// The layout of group 3, for a look whose shader has one.
     extra: Option<&'a wgpu::BindGroupLayout>,
 }
@@ -40,10 +43,11 @@ impl Receivers {
         gpu: &Gpu,
         look: Look,
         (encoding, samples): (Encoding, u32),
+        after_depth: bool,
         bound: (&SceneUniform, &SceneBuffers, &Shadows),
         extra: Option<&wgpu::BindGroupLayout>,
     ) -> Self {
-        let made = Made { look, encoding, samples, extra };
+        let made = Made { look, encoding, samples, after_depth, extra };
         let one = |cover: &Cover| (*cover, Pipeline::new(gpu, made, *cover, bound));
         Self { by_cover: bound.1.covers.iter().map(one).collect() }
     }
@@ -88,7 +92,7 @@ impl Receivers {
 impl Pipeline {
     fn new(
         gpu: &Gpu,
-        Made { look, encoding, samples, extra }: Made<'_>,
+        Made { look, encoding, samples, after_depth, extra }: Made<'_>,
         cover: Cover,
         (uniform, scene, shadows): (&SceneUniform, &SceneBuffers, &Shadows),
     ) -> Self {
@@ -104,6 +108,7 @@ impl Pipeline {
         let entry = shaders::vertex_entry(look, scene.finish, covering);
         let has_colours = entry != RECEIVER_ENTRY;
         let is_veil = covering == Covering::Veil;
+        let is_drawn = after_depth && !is_veil && Prepass::draws(cover, samples);
         let layout = gpu.pipeline_layout("Receivers::layout", &groups);
         let pipeline = gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("Receivers::pipeline"),
@@ -117,8 +122,12 @@ impl Pipeline {
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
-                depth_write_enabled: Some(!is_veil),
-                depth_compare: Some(wgpu::CompareFunction::Greater),
+                depth_write_enabled: Some(!is_veil && !is_drawn),
+                depth_compare: Some(if is_drawn {
+                    wgpu::CompareFunction::Equal
+                } else {
+                    wgpu::CompareFunction::Greater
+                }),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),

@@ -1,6 +1,6 @@
 //! Each kind of thing in a scene as glTF writes it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::io::Cursor;
 
 use glam::{Vec2, Vec3, Vec4};
@@ -14,11 +14,12 @@ use gltf::json::{Camera as JsonCamera, Image, Index, Mesh as JsonMesh};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder as _};
 
+use super::Vertices;
 use super::bending;
 use super::bytes::Document;
 use crate::error::Fault;
 use crate::import::MAX_SIDE_PX;
-use crate::{Aabb, Camera, Lens, Light, LightKind, Mesh, Part, Texture};
+use crate::{Aabb, Camera, Influences, Lens, Light, LightKind, Mesh, Part, Texture};
 
 const LIGHTS: &str = "KHR_lights_punctual";
 
@@ -56,9 +57,14 @@ pub(super) fn add_texture(
     }))
 }
 
-/// Adds a mesh: one accessor for each attribute, one primitive for each part.
-pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<JsonMesh>, Fault> {
-    let Mesh { name, positions, normals, uvs, colours, influences: _, targets: _, indices, parts, bounds: _ } =
+/// Adds a mesh: one primitive for each part. They share an accessor for each attribute, or have vertices of their own where
+/// those are wanted apart and nothing bends them.
+pub(super) fn add_mesh(
+    document: &mut Document,
+    mesh: &Mesh,
+    vertices: Vertices,
+) -> Result<Index<JsonMesh>, Fault> {
+    let Mesh { name, positions, normals, uvs, colours, influences, targets, indices, parts, bounds: _ } =
         mesh;
     let fault = |why: String| Fault(format!("{why}, in mesh {name:?}"));
     let count = positions.len();
@@ -78,6 +84,62 @@ pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<Jso
     if let Some(index) = indices.iter().find(|&&i| i as usize >= count) {
         return Err(fault(format!("index {index} of {count} vertices")));
     }
+    for Part { indices: range, material, bounds: _ } in parts {
+        let within = range.start < range.end && range.end as usize <= indices.len();
+        if !within || *material >= document.root.materials.len() {
+            let (materials, count) = (document.root.materials.len(), indices.len());
+            let got =
+                format!("a part of indices {range:?} of {count} with material {material} of {materials}");
+            return Err(fault(got));
+        }
+    }
+    let bent = |Fault(why): Fault| Fault(format!("{why}, in mesh {name:?}"));
+    let primitives = match vertices {
+        Vertices::Apart if influences.is_empty() && targets.is_empty() => {
+            let mut primitives = Vec::with_capacity(parts.len());
+            for part in parts {
+                primitives.extend(add_parts(document, &apart(mesh, part)).map_err(bent)?);
+            }
+            primitives
+        }
+        Vertices::Apart | Vertices::Shared => add_parts(document, mesh).map_err(bent)?,
+    };
+    Ok(document.root.push(JsonMesh {
+        name: Some(name.clone()),
+        primitives,
+        weights: None,
+        extensions: None,
+        extras: None,
+    }))
+}
+
+/// A mesh of one part alone, with the vertices that it uses, in their order.
+fn apart(mesh: &Mesh, part: &Part) -> Mesh {
+    let indices = &mesh.indices[part.indices.start as usize..part.indices.end as usize];
+    let used: Vec<u32> = indices.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+    let place: HashMap<u32, u32> = used.iter().copied().zip(0..).collect();
+    let [positions, normals] = [&mesh.positions, &mesh.normals].map(|all| of(all, &used));
+    Mesh {
+        positions,
+        normals,
+        uvs: of(&mesh.uvs, &used),
+        colours: if mesh.colours.is_empty() { Vec::new() } else { of(&mesh.colours, &used) },
+        indices: indices.iter().map(|index| place[index]).collect(),
+        parts: vec![Part { indices: 0..part.indices.end - part.indices.start, ..part.clone() }],
+        name: mesh.name.clone(),
+        influences: Influences::default(),
+        targets: Vec::new(),
+        bounds: part.bounds,
+    }
+}
+
+fn of<T: Copy>(all: &[T], used: &[u32]) -> Vec<T> {
+    used.iter().map(|index| all[*index as usize]).collect()
+}
+
+/// Adds the parts of a mesh, which share its vertices.
+fn add_parts(document: &mut Document, mesh: &Mesh) -> Result<Vec<Primitive>, Fault> {
+    let Mesh { positions, normals, uvs, colours, indices, parts, .. } = mesh;
     let extent = Aabb::of_points(positions.iter().copied());
     let position = document.floats(Type::Vec3, positions.iter().map(Vec3::to_array));
     document.set_extent(position, extent.min.to_array(), extent.max.to_array());
@@ -92,21 +154,12 @@ pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<Jso
         let colours = document.floats(Type::Vec4, colours.iter().map(Vec4::to_array));
         attributes.insert(Valid(Semantic::Colors(0)), colours);
     }
-    let bent = |Fault(why): Fault| Fault(format!("{why}, in mesh {name:?}"));
-    attributes.extend(bending::influences(document, mesh).map_err(bent)?);
-    let targets = bending::targets(document, mesh).map_err(bent)?;
+    attributes.extend(bending::influences(document, mesh)?);
+    let targets = bending::targets(document, mesh)?;
     let view = document.view(indices.iter().flat_map(|i| i.to_le_bytes()), Some(Target::ElementArrayBuffer));
-    let mut primitives = Vec::with_capacity(parts.len());
-    for Part { indices: range, material, bounds: _ } in parts {
-        let within = range.start < range.end && range.end as usize <= indices.len();
-        if !within || *material >= document.root.materials.len() {
-            let (materials, count) = (document.root.materials.len(), indices.len());
-            let got =
-                format!("a part of indices {range:?} of {count} with material {material} of {materials}");
-            return Err(fault(got));
-        }
+    let mut add = |Part { indices: range, material, bounds: _ }: &Part| {
         let (start, count) = (4 * range.start as usize, range.len());
-        primitives.push(Primitive {
+        Primitive {
             attributes: attributes.clone(),
             indices: Some(document.accessor(view, start, count, ComponentType::U32, Type::Scalar)),
             material: Some(Index::new(*material as u32)),
@@ -114,15 +167,9 @@ pub(super) fn add_mesh(document: &mut Document, mesh: &Mesh) -> Result<Index<Jso
             targets: targets.clone(),
             extensions: None,
             extras: None,
-        });
-    }
-    Ok(document.root.push(JsonMesh {
-        name: Some(name.clone()),
-        primitives,
-        weights: None,
-        extensions: None,
-        extras: None,
-    }))
+        }
+    };
+    Ok(parts.iter().map(&mut add).collect())
 }
 
 /// Adds a camera; its node gives it a place.

@@ -23,6 +23,6 @@ fn umbrage_caster_position(world_position: vec3f) -> vec4f {
     if any(vec3f(m[0].w, m[1].w, m[2].w) != vec3f(0.0)) {
         return clip;
     }
-    let grid = 0.5 * UMBRAGE_SUB_TEXELS * umbrage_frame.views[umbrage_current_view.x].tile_size;
+    let grid = 0.5 * UMBRAGE_SUB_TEXELS * umbrage_frame.views[umbrage_current_view.x].tile.z;
     return vec4f(round(turned.xy * grid) / grid + m[3].xy, clip.zw);
 }

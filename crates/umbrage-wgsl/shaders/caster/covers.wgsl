@@ -28,7 +28,7 @@ fn umbrage_caster_covers(position: vec4f, id: u32, coverage: f32) -> bool {
         return coverage > 1.0 - UMBRAGE_COVERAGE_STEP;
     }
     let view_index = umbrage_current_view.x;
-    let texel = vec2u(position.xy - umbrage_frame.views[view_index].tile_origin);
+    let texel = vec2u(position.xy - umbrage_frame.views[view_index].tile.xy);
     let level = umbrage_lattice_level(texel + umbrage_frame.views[view_index].lattice, id);
     return coverage > (f32(level) + 0.5) / 256.0;
 }

@@ -21,14 +21,14 @@ fn everywhere(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 @fragment
 fn join(@builtin(position) position: vec4f) -> @builtin(frag_depth) f32 {
     let view_index = umbrage_current_view.x;
-    let layer = umbrage_frame.views[view_index].layer;
+    let layer = i32(umbrage_frame.views[view_index].tile.w);
     let first = textureLoad(umbrage_first, vec2i(position.xy), layer, 0);
     // Nothing is there, or a caster before the near plane.
     if first <= 0.0 || first >= 1.0 {
         return first;
     }
     let second = textureLoad(umbrage_second, vec2i(position.xy), layer, 0);
-    let texel = position.xy - umbrage_frame.views[view_index].tile_origin;
+    let texel = position.xy - umbrage_frame.views[view_index].tile.xy;
     let linear = umbrage_linear_depth(view_index, texel, first);
     let scale = umbrage_depth_scale(view_index, texel);
     let limit = umbrage_frame.depth_layer_limit * umbrage_stored_a_metre(view_index, linear, scale);

@@ -8,7 +8,7 @@ import package::light::umbrage_depth_rounding;
 
 /// A caster's fragment shader calls it with its position. It discards, after which derivatives and samples hold as before.
 fn umbrage_caster_fragment(position: vec4f) {
-    let layer = umbrage_frame.views[umbrage_current_view.x].layer;
+    let layer = i32(umbrage_frame.views[umbrage_current_view.x].tile.w);
     let first = textureLoad(umbrage_first, vec2i(position.xy), layer, 0);
     // The same surface, drawn again, may round otherwise.
     if position.z >= first - 2.0 * umbrage_depth_rounding(umbrage_current_view.x, first) {

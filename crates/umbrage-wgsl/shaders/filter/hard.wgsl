@@ -1,7 +1,7 @@
 // One comparison with the texel that holds the receiver.
 
+import chosen::umbrage_lit;
 import package::receiver::lookup::{UmbrageLookup, UmbrageReceiver};
-import package::sampling::lit::umbrage_lit;
 import package::sampling::reach_fixed::umbrage_offset_reach;
 
 fn umbrage_filter(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {

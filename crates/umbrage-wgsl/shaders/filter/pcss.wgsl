@@ -5,7 +5,7 @@ import constants::{UMBRAGE_BLOCKERS, UMBRAGE_POINTS, UMBRAGE_SEARCH, UMBRAGE_TAP
 import chosen::umbrage_tap;
 import package::linear_depth::umbrage_linear_depth;
 import package::receiver::lookup::{UmbrageLookup, UmbrageReceiver};
-import package::sampling::lit::umbrage_compare_depth;
+import package::sampling::compare_depth::umbrage_compare_depth;
 import package::sampling::noise::umbrage_noise;
 import package::sampling::penumbra::umbrage_penumbra_texels;
 import package::sampling::points_rotated::umbrage_point;

@@ -27,8 +27,8 @@ struct UmbrageSquare {
 
 fn umbrage_square() -> UmbrageSquare {
     let view_index = umbrage_current_view.x;
-    let origin = vec2i(umbrage_frame.views[view_index].tile_origin);
-    let side = i32(umbrage_frame.views[view_index].tile_size);
+    let origin = vec2i(umbrage_frame.views[view_index].tile.xy);
+    let side = i32(umbrage_frame.views[view_index].tile.z);
     return UmbrageSquare(origin / i32(UMBRAGE_DOWNSAMPLE), side / i32(UMBRAGE_DOWNSAMPLE));
 }
 

@@ -12,7 +12,7 @@ import package::prefilter::depths::umbrage_drawn_depth;
 /// The linear depth of a texel of the tile, counted from its upper left corner; the outermost one's outside.
 fn umbrage_depth_at(texel: vec2i) -> f32 {
     let view_index = umbrage_current_view.x;
-    let last = i32(umbrage_frame.views[view_index].tile_size) - 1;
+    let last = i32(umbrage_frame.views[view_index].tile.z) - 1;
     let inside = clamp(texel, vec2i(0), vec2i(last));
     return umbrage_linear_depth(view_index, vec2f(inside) + 0.5, umbrage_drawn_depth(inside));
 }
@@ -25,7 +25,7 @@ fn umbrage_lesser(a: f32, b: f32) -> f32 {
 @compute @workgroup_size(8, 8)
 fn convert(@builtin(global_invocation_id) id: vec3u) {
     let view_index = umbrage_current_view.x;
-    let side = u32(umbrage_frame.views[view_index].tile_size) / UMBRAGE_DOWNSAMPLE;
+    let side = u32(umbrage_frame.views[view_index].tile.z) / UMBRAGE_DOWNSAMPLE;
     if any(id.xy >= vec2u(side)) {
         return;
     }
@@ -40,6 +40,6 @@ fn convert(@builtin(global_invocation_id) id: vec3u) {
         let moments = umbrage_moments_of(depth, vec2f(right, down));
         sum = umbrage_moments_add(sum, moments, 1.0 / f32(UMBRAGE_DOWNSAMPLE * UMBRAGE_DOWNSAMPLE));
     }
-    let origin = vec2u(umbrage_frame.views[view_index].tile_origin) / UMBRAGE_DOWNSAMPLE;
+    let origin = vec2u(umbrage_frame.views[view_index].tile.xy) / UMBRAGE_DOWNSAMPLE;
     textureStore(umbrage_converted, origin + id.xy, umbrage_stored(sum));
 }

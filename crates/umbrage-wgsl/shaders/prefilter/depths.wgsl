@@ -8,6 +8,6 @@ import package::frame::umbrage_frame;
 /// The depth that was drawn at a texel of the current view's tile, counted from its upper left corner.
 fn umbrage_drawn_depth(texel: vec2i) -> f32 {
     let view_index = umbrage_current_view.x;
-    let origin = vec2i(umbrage_frame.views[view_index].tile_origin);
-    return textureLoad(umbrage_depths, origin + texel, umbrage_frame.views[view_index].layer, 0);
+    let origin = vec2i(umbrage_frame.views[view_index].tile.xy);
+    return textureLoad(umbrage_depths, origin + texel, i32(umbrage_frame.views[view_index].tile.w), 0);
 }

@@ -37,7 +37,7 @@ fn umbrage_before(lane: u32, own: vec4u) -> vec4u {
 
 @compute @workgroup_size(UMBRAGE_LANES)
 fn rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let side = u32(umbrage_frame.views[umbrage_current_view.x].tile_size);
+    let side = u32(umbrage_frame.views[umbrage_current_view.x].tile.z);
     let stretch = (side + UMBRAGE_LANES - 1u) / UMBRAGE_LANES;
     let start = min(lane * stretch, side);
     let end = min(start + stretch, side);
@@ -54,8 +54,8 @@ fn rows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) la
 
 @compute @workgroup_size(UMBRAGE_LANES)
 fn columns(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let side = u32(umbrage_frame.views[umbrage_current_view.x].tile_size);
-    let origin = vec2u(umbrage_frame.views[umbrage_current_view.x].tile_origin);
+    let side = u32(umbrage_frame.views[umbrage_current_view.x].tile.z);
+    let origin = vec2u(umbrage_frame.views[umbrage_current_view.x].tile.xy);
     let stretch = (side + UMBRAGE_LANES - 1u) / UMBRAGE_LANES;
     let start = min(lane * stretch, side);
     let end = min(start + stretch, side);

@@ -6,12 +6,13 @@ import package::receiver::fade::umbrage_faded;
 import package::receiver::lookup::{UmbrageLookup, UmbrageReceiver};
 import package::receiver::read::umbrage_visibility_in;
 
-fn umbrage_blend(view_index: u32, light: u32, lookup: UmbrageLookup, own: f32, receiver: UmbrageReceiver) -> f32 {
+fn umbrage_blend(lookup: UmbrageLookup, own: f32, receiver: UmbrageReceiver) -> f32 {
+    let light = lookup.light;
     let view_end = umbrage_frame.lights[light].first_view + umbrage_frame.lights[light].view_count;
-    let start = umbrage_frame.views[view_index].depth_start;
-    let end = umbrage_frame.views[view_index].depth_end;
+    let start = umbrage_frame.views[lookup.view_index].depth_start;
+    let end = umbrage_frame.views[lookup.view_index].depth_end;
     let share = (end - receiver.depth) / ((end - start) * umbrage_frame.blend);
-    let next = view_index + 1u;
+    let next = lookup.view_index + 1u;
     if umbrage_has_faces(light) || next >= view_end || share >= 1.0 {
         return umbrage_faded(own, light, receiver.depth);
     }

@@ -4,7 +4,7 @@
 import package::receiver::texel_basis::{UmbrageTexelBasis, umbrage_slope};
 
 /// How much the depth to compare with grows from a texel to the next, to the right and downward.
-fn umbrage_gradient(texel_basis: UmbrageTexelBasis, world_normal: vec3f, to_light: vec3f) -> vec2f {
+fn umbrage_gradient(texel_basis: UmbrageTexelBasis, slope: vec2f, to_light: vec3f) -> vec2f {
     return umbrage_slope(texel_basis, to_light, 1.0);
 }
 

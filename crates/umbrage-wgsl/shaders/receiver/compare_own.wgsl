@@ -3,7 +3,7 @@
 import package::receiver::texel_basis::UmbrageTexelBasis;
 
 /// How much the depth to compare with grows from a texel to the next: not at all.
-fn umbrage_gradient(texel_basis: UmbrageTexelBasis, world_normal: vec3f, to_light: vec3f) -> vec2f {
+fn umbrage_gradient(texel_basis: UmbrageTexelBasis, slope: vec2f, to_light: vec3f) -> vec2f {
     return vec2f(0.0);
 }
 

@@ -61,9 +61,9 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let rise = dot(texel_basis.depth_gradient, to_light);
     let along_light = sqrt(1.0 + tangent * tangent);
     let bend = rise * umbrage_frame.bias_bend * texel_metres * along_light;
-    let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent
-        + umbrage_caster_error(view_index) * along_light;
-    let nearer = rise * toward_light + UMBRAGE_OWN_TEXEL * bend;
+    let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent;
+    let own_bend = vec2f(UMBRAGE_OWN_TEXEL * bend, rise * umbrage_caster_error(view_index) * along_light);
+    let nearer = rise * toward_light + length(own_bend);
     // Rasterisers round corners, so what is stored may be the depth of a place beside.
     let slope = umbrage_slope(texel_basis, world_normal, cosine);
     let depth = clip.z / clip.w;
@@ -75,6 +75,6 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.compare_depth = depth + nearer + rounded;
     lookup.bend = bend;
-    lookup.gradient = umbrage_gradient(texel_basis, world_normal, to_light);
+    lookup.gradient = umbrage_gradient(texel_basis, slope, to_light);
     return lookup;
 }

@@ -3,10 +3,10 @@
 import chosen::umbrage_blend;
 import package::frame::umbrage_frame;
 import package::light::umbrage_direction_to_light;
-import package::receiver::lookup::{UmbrageReceiver, umbrage_lookup};
+import package::receiver::lookup::UmbrageReceiver;
 import package::receiver::no_view::UMBRAGE_NO_VIEW;
 import package::receiver::read::umbrage_read;
-import package::receiver::view::{umbrage_view_depth, umbrage_view_of};
+import package::receiver::view::{umbrage_lookup_of, umbrage_view_depth};
 
 /// How much of one light reaches a world-space point. Points outside every map are lit, and so is everything by a light
 /// that the plan does not have; surfaces that are turned away from it are dark. What lies outside of a spot's cone may be
@@ -20,14 +20,13 @@ fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec
     if cosine <= 0.0 {
         return 0.0;
     }
-    let view_index = umbrage_view_of(light, world_position, world_normal);
+    let lookup = umbrage_lookup_of(light, world_position, world_normal);
     var visible = 1.0;
-    if view_index != UMBRAGE_NO_VIEW {
+    if lookup.view_index != UMBRAGE_NO_VIEW {
         let depth = umbrage_view_depth(world_position);
         let receiver = UmbrageReceiver(world_position, world_normal, pixel, depth);
-        let lookup = umbrage_lookup(view_index, light, world_position, world_normal);
         let own = umbrage_read(lookup, receiver);
-        visible = umbrage_blend(view_index, light, lookup, own, receiver);
+        visible = umbrage_blend(lookup, own, receiver);
     }
     return visible * smoothstep(0.0, 1.0, cosine / max(umbrage_frame.terminator, 1e-30));
 }

@@ -2,9 +2,11 @@
 // f / (f − n) · (1 − n / C)). The camera's depth is reversed, so slices end at falling values.
 
 import package::frame::umbrage_frame;
+import package::light::{umbrage_face, umbrage_has_faces};
+import package::receiver::lookup::{UmbrageLookup, umbrage_lookup};
 
-/// The view of a light that serves a receiver.
-fn umbrage_select(light: u32, depth: f32, world_position: vec3f, world_normal: vec3f) -> u32 {
+/// Where a receiver looks in the view of a light that serves it.
+fn umbrage_select(light: u32, depth: f32, world_position: vec3f, world_normal: vec3f) -> UmbrageLookup {
     let point = vec4f(world_position, 1.0);
     let clip_depth = dot(umbrage_frame.clip_z_row, point) / dot(umbrage_frame.clip_w_row, point);
     let first = umbrage_frame.lights[light].first_view;
@@ -12,5 +14,8 @@ fn umbrage_select(light: u32, depth: f32, world_position: vec3f, world_normal: v
     for (var i = 0u; i + 1u < umbrage_frame.lights[light].view_count; i++) {
         split += u32(clip_depth <= umbrage_frame.views[first + i].clip_depth_end);
     }
-    return first + split;
+    if umbrage_has_faces(light) {
+        split = umbrage_face(light, world_position);
+    }
+    return umbrage_lookup(first + split, light, world_position, world_normal);
 }

@@ -5,7 +5,6 @@
 import package::frame::umbrage_frame;
 
 @group(0) @binding(1) var umbrage_map: texture_depth_2d_array;
-@group(0) @binding(2) var umbrage_compare: sampler_comparison;
 
 /// From the local space of a view to its clip space: x, y in −1…1 over its tile, depth 1 near the light to 0 far.
 fn umbrage_clip_from_local(view_index: u32) -> mat4x4f {
@@ -18,9 +17,23 @@ fn umbrage_local(view_index: u32, world_position: vec3f) -> vec3f {
     return world_position - umbrage_frame.views[view_index].local_origin;
 }
 
+/// Whether a view's map may hold a place of its local space with a filter's whole footprint: `false` is certain, where the bias
+/// moves no lookup aside. It reads less than a lookup does.
+fn umbrage_may_hold(view_index: u32, local: vec3f) -> bool {
+    let point = vec4f(local, 1.0);
+    let x = dot(umbrage_frame.views[view_index].held_x, point);
+    let y = dot(umbrage_frame.views[view_index].held_y, point);
+    return max(abs(x), abs(y)) <= dot(umbrage_frame.views[view_index].held_w, point);
+}
+
+/// Upper left corner of a view's tile and its side, texels; and the array layer that holds it.
+fn umbrage_tile(view_index: u32) -> vec4f {
+    return umbrage_frame.views[view_index].tile;
+}
+
 /// Side of a view's tile, texels.
 fn umbrage_tile_size(view_index: u32) -> f32 {
-    return umbrage_frame.views[view_index].tile_size;
+    return umbrage_tile(view_index).z;
 }
 
 /// How far a view's casters may lie from those that are meant, metres.
@@ -30,7 +43,7 @@ fn umbrage_caster_error(view_index: u32) -> f32 {
 
 /// The array layer that holds a view's tile.
 fn umbrage_layer(view_index: u32) -> i32 {
-    return umbrage_frame.views[view_index].layer;
+    return i32(umbrage_tile(view_index).w);
 }
 
 /// A place of a tile, moved to the centres of the outermost texels where it lies beyond them.
@@ -41,12 +54,12 @@ fn umbrage_inside(view_index: u32, texel: vec2f) -> vec2f {
 /// Texture coordinates of a place of a tile; places nearer to the tile's border than `inset` texels are moved inward.
 fn umbrage_uv(view_index: u32, texel: vec2f, inset: f32) -> vec2f {
     let inside = clamp(texel, vec2f(inset), vec2f(umbrage_tile_size(view_index) - inset));
-    return (umbrage_frame.views[view_index].tile_origin + inside) / umbrage_frame.map_size;
+    return (umbrage_tile(view_index).xy + inside) / umbrage_frame.map_size;
 }
 
 /// The place of a tile that has these texture coordinates.
 fn umbrage_texel_of_uv(view_index: u32, uv: vec2f) -> vec2f {
-    return uv * umbrage_frame.map_size - umbrage_frame.views[view_index].tile_origin;
+    return uv * umbrage_frame.map_size - umbrage_tile(view_index).xy;
 }
 
 /// A step of texels as a step of texture coordinates.
@@ -56,17 +69,10 @@ fn umbrage_uv_step(texels: vec2f) -> vec2f {
 
 /// Where the texture holds a texel of a tile.
 fn umbrage_address(view_index: u32, texel: vec2i) -> vec2i {
-    return vec2i(umbrage_frame.views[view_index].tile_origin) + texel;
+    return vec2i(umbrage_tile(view_index).xy) + texel;
 }
 
 /// Where the texture holds the texel around a place of a tile.
 fn umbrage_address_around(view_index: u32, texel: vec2f) -> vec2i {
-    return vec2i(umbrage_frame.views[view_index].tile_origin + texel);
-}
-
-/// What share of the texels around a place of a tile leaves a receiver at `depth` lit: where `depth` is not less than what
-/// is stored. With a linear sampler four texels count, weighted bilinearly.
-fn umbrage_lit_share(view_index: u32, texel: vec2f, depth: f32) -> f32 {
-    let uv = umbrage_uv(view_index, texel, 0.5);
-    return textureSampleCompareLevel(umbrage_map, umbrage_compare, uv, umbrage_layer(view_index), depth);
+    return vec2i(umbrage_tile(view_index).xy + texel);
 }

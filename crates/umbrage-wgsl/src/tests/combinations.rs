@@ -109,6 +109,14 @@ pub(super) fn filters() -> Vec<Filter> {
     others.into_iter().chain(sizes).chain(bells).chain(discs).chain(moments).collect()
 }
 
+/// What devices can do that have a filter.
+fn supports(filter: &Filter) -> Vec<TextureSupport> {
+    let opengl = TextureSupport { loads_depth: false, ..TextureSupport::WEBGPU };
+    let mut supports = vec![TextureSupport::ALL, TextureSupport::WEBGPU];
+    supports.extend((!filter.reads_depth_values()).then_some(opengl));
+    supports
+}
+
 pub(super) fn keys() -> Vec<(String, ShaderKey)> {
     let mut keys = Vec::new();
     for filter in filters() {
@@ -121,7 +129,7 @@ pub(super) fn keys() -> Vec<(String, ShaderKey)> {
             ] {
                 let bias = Bias { receiver_plane, ..Bias::default() };
                 let settings = Settings { filter, select, bias, blend, warp, ..Settings::default() };
-                for support in [TextureSupport::ALL, TextureSupport::WEBGPU] {
+                for support in supports(&filter) {
                     keys.push((format!("{settings:?}, {support:?}"), ShaderKey::new(&settings, support)));
                 }
             }

@@ -84,7 +84,7 @@ fn every_filter_has_a_module_of_its_kind_and_every_module_is_used() {
 #[test]
 fn only_the_storage_knows_where_texels_lie() {
     let addresses =
-        ["tile_origin", ".layer", "map_size", "textureLoad", "textureSample", "].clip_from_local"];
+        ["].tile", "map_size", "textureLoad", "textureSample", "textureGather", "].clip_from_local"];
     for (module, source) in MODULES {
         let is_technique =
             ["receiver/", "filter/", "sampling/", "moments/"].iter().any(|f| module.starts_with(f));
@@ -101,8 +101,11 @@ fn only_the_storage_knows_where_texels_lie() {
 fn what_only_compares_loads_no_depth_which_opengl_would_refuse() {
     for filter in filters().into_iter().filter(|f| !f.reads_depth_values()) {
         let settings = umbrage_core::Settings { filter, ..Default::default() };
-        let text = receiver(&ShaderKey::new(&settings, TextureSupport::ALL), 0);
-        assert!(!text.contains("textureLoad"), "{filter:?}");
+        let opengl = TextureSupport { loads_depth: false, ..TextureSupport::ALL };
+        let text = receiver(&ShaderKey::new(&settings, opengl), 0);
+        for read in ["textureLoad", "textureGather"] {
+            assert!(!text.contains(read), "{filter:?}");
+        }
     }
 }
 
@@ -118,11 +121,10 @@ fn only_one_module_knows_the_kinds_of_lights() {
 #[test]
 fn a_module_stands_in_for_another() {
     let key = ShaderKey::new(&umbrage_core::Settings::default(), TextureSupport::ALL);
-    let own = MODULES.iter().find(|(name, _)| *name == "storage/map").unwrap().1;
-    let reversed =
-        own.replace("umbrage_layer(view_index), depth)", "umbrage_layer(view_index), 1.0 - depth)");
-    let text = receiver_with(&key, 1, &[("storage/map", &reversed)]).unwrap();
-    assert!(text != receiver(&key, 1) && text.contains("1.0 - depth)"));
+    let own = MODULES.iter().find(|(name, _)| *name == "storage/gathered").unwrap().1;
+    let reversed = own.replace("return textureGather", "return 1.0 - textureGather");
+    let text = receiver_with(&key, 1, &[("storage/gathered", &reversed)]).unwrap();
+    assert!(text != receiver(&key, 1) && text.contains("1.0 - textureGather("));
     super::combinations::module("reversed depth", &text);
     let error = receiver_with(&key, 1, &[("storage/map", "fn umbrage_uv() {}")]).map_err(|e| e.to_string());
     assert!(error.is_err_and(|e| e.contains("from `package::storage::map`, which does not declare it")));

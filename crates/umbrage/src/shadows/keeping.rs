@@ -6,6 +6,7 @@ use umbrage_core::{Aabb, Bounds, ShadowPlan, ShadowView, ViewKey};
 
 use super::Shadows;
 use crate::error::ShadowError;
+use crate::kept::Share;
 use crate::objects::Objects;
 use crate::still_maps::StillMaps;
 
@@ -53,6 +54,12 @@ impl Shadows {
     /// [`cast`](Self::cast).
     pub fn has_due_views(&self) -> bool {
         !self.steps.is_empty()
+    }
+
+    /// Returns which of the casters of a view must be drawn for the plan that was uploaded last, by the view's place in the plan:
+    /// none where its tile shows them already.
+    pub fn due(&self, view: usize) -> impl Iterator<Item = Share> + '_ {
+        self.steps.iter().filter(move |step| step.view == view).filter_map(|step| step.share)
     }
 
     /// Whether [`Self::keep_still`] would have saved drawing what stands in the plan that was uploaded last.

@@ -21,6 +21,8 @@ pub enum Way {
     Unshadowed,
     /// With every part of the world drawn into every map.
     Unculled,
+    /// With every map drawn anew.
+    Forgetful,
 }
 
 /// What frames of one way took.
@@ -34,62 +36,67 @@ pub struct Timed {
     pub loads: Vec<ViewLoad>,
 }
 
+/// What frames are drawn with.
+pub struct Bench<'a> {
+    pub renderer: &'a mut Renderer,
+    pub gpu: &'a Gpu,
+    /// Whether maps are kept that show already what they should.
+    pub keeps: bool,
+}
+
 impl Timed {
     /// Draws a batch of frames twice, and adds what they took. `before` is drawn first and not counted, so that the device
     /// is at work when the first of them begins, and keeps what it would keep.
     pub fn add(
         &mut self,
-        renderer: &mut Renderer,
-        gpu: &Gpu,
+        mut bench: Bench<'_>,
         way: Way,
         before: &Frame,
         batch: &[Frame],
     ) -> Result<(), RenderError> {
         let [before, batch] = [std::slice::from_ref(before), batch].map(|frames| way.frames(frames));
-        renderer.cull_parts = way != Way::Unculled;
-        let between = pipelined(renderer, gpu, &before[0], &batch)?;
-        renderer.render(&before[0])?;
+        bench.renderer.cull_parts = way != Way::Unculled;
+        bench.renderer.keep_tiles = bench.keeps && way != Way::Forgetful;
+        let between = bench.pipelined(&before[0], &batch)?;
+        bench.renderer.render(&before[0])?;
         for (frame, between) in batch.iter().zip(&between) {
-            let rendered = renderer.render(frame)?;
+            let rendered = bench.renderer.render(frame)?;
             self.loads = rendered.drawn.loads().to_vec();
             self.frames.push(FrameTimes { frame: *between, ..rendered.times });
         }
         self.batches.push(between.iter().sum::<f64>() / between.len() as f64);
-        renderer.cull_parts = true;
+        (bench.renderer.cull_parts, bench.renderer.keep_tiles) = (true, true);
         Ok(())
+    }
+}
+
+impl Bench<'_> {
+    /// The time from when the frame before was done until each frame was, milliseconds.
+    fn pipelined(&mut self, before: &Frame, batch: &[Frame]) -> Result<Vec<f64>, RenderError> {
+        self.renderer.set_pass_times(false);
+        let mut in_flight = InFlight::new(self.gpu, IN_FLIGHT);
+        let mut draw = |frame: &Frame| -> Result<Instant, RenderError> {
+            // A window shows each picture, and then gives it up.
+            let _: Drawn = self.renderer.draw(frame)?;
+            in_flight.handed_over()?;
+            Ok(Instant::now())
+        };
+        draw(before)?;
+        // Each is handed over while the one before is drawn, and that is done when the call returns.
+        let mut done = batch.iter().map(&mut draw).collect::<Result<Vec<_>, _>>()?;
+        in_flight.finish()?;
+        done.push(Instant::now());
+        self.renderer.set_pass_times(true);
+        Ok(done.windows(2).map(|pair| (pair[1] - pair[0]).as_secs_f64() * 1e3).collect())
     }
 }
 
 impl Way {
     fn frames(self, frames: &[Frame]) -> Vec<Frame> {
         let shown = |frame: &Frame| match self {
-            Self::Shadowed | Self::Unculled => frame.clone(),
+            Self::Shadowed | Self::Unculled | Self::Forgetful => frame.clone(),
             Self::Unshadowed => Frame { show: Show::Unshadowed, ..frame.clone() },
         };
         frames.iter().map(shown).collect()
     }
-}
-
-/// The time from when the frame before was done until each frame was, milliseconds.
-fn pipelined(
-    renderer: &mut Renderer,
-    gpu: &Gpu,
-    before: &Frame,
-    batch: &[Frame],
-) -> Result<Vec<f64>, RenderError> {
-    renderer.set_pass_times(false);
-    let mut in_flight = InFlight::new(gpu, IN_FLIGHT);
-    let mut draw = |frame: &Frame| -> Result<Instant, RenderError> {
-        // A window shows each picture, and then gives it up.
-        let _: Drawn = renderer.draw(frame)?;
-        in_flight.handed_over()?;
-        Ok(Instant::now())
-    };
-    draw(before)?;
-    // Each is handed over while the one before is drawn, and that is done when the call returns.
-    let mut done = batch.iter().map(&mut draw).collect::<Result<Vec<_>, _>>()?;
-    in_flight.finish()?;
-    done.push(Instant::now());
-    renderer.set_pass_times(true);
-    Ok(done.windows(2).map(|pair| (pair[1] - pair[0]).as_secs_f64() * 1e3).collect())
 }

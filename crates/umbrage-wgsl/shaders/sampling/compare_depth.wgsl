@@ -1,7 +1,6 @@
-// One texel, compared by itself.
+// The depth that a texel beside a receiver is compared with.
 
 import package::receiver::lookup::{UMBRAGE_OWN_TEXEL, UmbrageLookup};
-import package::storage::map::{umbrage_inside, umbrage_lit_share};
 
 /// No receiver is nearer than this. A steep plane may be, a texel beside its receiver; casters that were flattened onto the
 /// near plane count as before it there.
@@ -16,9 +15,11 @@ fn umbrage_compare_depth(lookup: UmbrageLookup, texel: vec2f) -> f32 {
     return clamp(plane + bent, 0.0, max(lookup.compare_depth, UMBRAGE_NEAREST_COMPARED));
 }
 
-/// Whether the texel around `centre` leaves a receiver lit: 1 or 0. It is compared with the depth at its centre.
-fn umbrage_lit(lookup: UmbrageLookup, centre: vec2f) -> f32 {
-    // The texel's centre: samplers round coordinates to fewer bits than f32 has. Not a load, which GL has not for depth.
-    let inside = umbrage_inside(lookup.view_index, centre);
-    return umbrage_lit_share(lookup.view_index, inside, umbrage_compare_depth(lookup, inside));
+/// As `umbrage_compare_depth`, at four places.
+fn umbrage_compare_depths(lookup: UmbrageLookup, x: vec4f, y: vec4f) -> vec4f {
+    let right = x - lookup.texel.x;
+    let down = y - lookup.texel.y;
+    let bent = lookup.bend * max(max(abs(right), abs(down)) - UMBRAGE_OWN_TEXEL, vec4f(0.0));
+    let plane = lookup.compare_depth + lookup.gradient.x * right + lookup.gradient.y * down;
+    return clamp(plane + bent, vec4f(0.0), vec4f(max(lookup.compare_depth, UMBRAGE_NEAREST_COMPARED)));
 }
