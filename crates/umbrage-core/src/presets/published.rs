@@ -155,6 +155,7 @@ fn tutorial() -> Settings {
         depth: DepthFormat::U16,
         fit: Fit::Scene,
         select: Select::Depth,
+        caster_error: 0.0,
         filter: Filter::Stratified(disc),
         bias: Bias { slope, slope_limit: 2.0, ..Bias::NONE },
         ..Settings::default()

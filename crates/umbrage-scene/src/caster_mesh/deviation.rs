@@ -32,17 +32,21 @@ pub(super) fn deviation(
     farthest.is_finite().then_some(farthest)
 }
 
-/// Returns the distance of each vertex from a level of them, with the same exceptions.
-pub(super) fn deviations(positions: &[[f32; 3]], level: &[[u32; 3]]) -> Option<Vec<f32>> {
+/// Returns the numbers of those vertices that lie farther than `limit` from a level of them, with the same exceptions.
+pub(super) fn beyond(positions: &[[f32; 3]], level: &[[u32; 3]], limit: f32) -> Option<Vec<usize>> {
     let triangles = corners(positions, level);
     let grid = Grid::new(&triangles)?;
     let mut is_kept = vec![false; positions.len()];
     level.as_flattened().iter().for_each(|vertex| is_kept[*vertex as usize] = true);
     let mut looks = MOST_LOOKS * positions.len();
-    let distance = |(point, is_kept): (&[f32; 3], bool)| {
-        if is_kept { Some(0.0) } else { grid.at_least(Vec3::from_array(*point), 0.0, &mut looks) }
-    };
-    positions.iter().zip(is_kept).map(distance).collect()
+    let mut beyond = Vec::new();
+    for (number, (point, _)) in positions.iter().zip(is_kept).enumerate().filter(|(_, (_, is_kept))| !is_kept)
+    {
+        if grid.at_least(Vec3::from_array(*point), limit, &mut looks)? > limit {
+            beyond.push(number);
+        }
+    }
+    Some(beyond)
 }
 
 fn corners(positions: &[[f32; 3]], level: &[[u32; 3]]) -> Vec<[Vec3; 3]> {

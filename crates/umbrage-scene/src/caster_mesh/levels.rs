@@ -6,7 +6,7 @@
 
 use meshoptimizer::{SIMPLIFY_ERROR_ABSOLUTE, SIMPLIFY_VERTEX_LOCK, simplify_with_attributes};
 
-use super::deviation::{deviation, deviations};
+use super::deviation::{beyond, deviation};
 use super::welded::Welded;
 use super::{CasterMesh, Coarser, Piece, place};
 use crate::{Aabb, Part};
@@ -149,19 +149,11 @@ impl Local {
         for turn in 1..=TURNS {
             let Some((left, _)) = self.once(&locks, may_move, 0) else { break };
             best = left;
-            let Some(measured) = (turn < TURNS).then(|| deviations(&self.positions, &best)).flatten() else {
+            let measured = (turn < TURNS).then(|| beyond(&self.positions, &best, STICKS_OUT * may_move));
+            let Some(sticking_out) = measured.flatten().filter(|vertices| !vertices.is_empty()) else {
                 break;
             };
-            let mut sticking_out = 0;
-            for (lock, deviation) in locks.iter_mut().zip(measured) {
-                if deviation > STICKS_OUT * may_move {
-                    *lock = SIMPLIFY_VERTEX_LOCK;
-                    sticking_out += 1;
-                }
-            }
-            if sticking_out == 0 {
-                break;
-            }
+            sticking_out.into_iter().for_each(|vertex| locks[vertex] = SIMPLIFY_VERTEX_LOCK);
         }
         best
     }
