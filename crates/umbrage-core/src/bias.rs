@@ -17,9 +17,8 @@ mod tests;
 
 use glam::{Vec2, Vec3};
 
-use crate::filter::Filter;
 use crate::reach::Reach;
-use crate::settings::{Bias, Settings};
+use crate::settings::Settings;
 use crate::texel_basis::TexelBasis;
 use crate::warp::Warp;
 
@@ -66,21 +65,32 @@ impl Settings {
     }
 
     /// Returns the bias at a receiver with a unit normal and a unit direction to the light. `texel_basis` is that of its
-    /// view there.
-    pub fn bias_metres(&self, texel_basis: &TexelBasis, normal: Vec3, to_light: Vec3) -> BiasMetres {
+    /// view there, whose casters may lie `caster_error` metres from those that are meant.
+    pub fn bias_metres(
+        &self,
+        texel_basis: &TexelBasis,
+        normal: Vec3,
+        to_light: Vec3,
+        caster_error: f32,
+    ) -> BiasMetres {
         let bias = &self.bias;
         let cosine = normal.dot(to_light).clamp(0.0, 1.0);
         let sine = (1.0 - cosine * cosine).sqrt();
         let tangent = (sine / cosine.max(1e-6)).min(bias.slope_limit);
         let texel_metres = texel_basis.texel_metres();
-        let bend = bias.bend * texel_metres * (1.0 + tangent * tangent).sqrt();
+        // What lies so far off across the surface lies so many times farther along the light. Bends and levels of detail are
+        // seldom at their farthest together, so their squares are added.
+        let along_light = (1.0 + tangent * tangent).sqrt();
+        let bend = bias.bend * texel_metres * along_light;
         let texels = bias.normal * self.filter.offset_reach_texels(texel_metres);
         BiasMetres {
             along_normal: match self.compare_depth() {
                 CompareDepth::Plane | CompareDepth::Facing => texel_basis.normal_offset(normal, texels),
                 CompareDepth::Own => texel_basis.normal_offset_over_stored(normal, to_light, texels),
             },
-            toward_light: bias.constant + bias.slope * texel_metres * tangent + OWN_TEXEL * bend,
+            toward_light: bias.constant
+                + bias.slope * texel_metres * tangent
+                + (OWN_TEXEL * bend).hypot(caster_error * along_light),
             bend,
         }
     }
@@ -104,8 +114,8 @@ pub const STEEPEST_PLANE: f32 = 200.0;
 /// Rasterisers round corners to a grid of 256 steps a texel: stored depth may be that of a place so many texels away.
 pub const RASTER_STEP_TEXELS: f32 = 1.0 / 256.0;
 
-/// Returns how far lookups with a filter and a bias reach from their receiver.
-pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
+/// Returns how far lookups reach from their receiver.
+pub(crate) fn reach(Settings { filter, bias, caster_error, .. }: &Settings) -> Reach {
     // The smaller the texel, the more of them a width in metres is, up to its limit.
     let offset_texels = f64::from(bias.normal * filter.offset_reach_texels(f32::MIN_POSITIVE));
     Reach {
@@ -119,7 +129,7 @@ pub(crate) fn reach(filter: &Filter, bias: &Bias) -> Reach {
         constant: f64::from(bias.constant),
         slope: f64::from(bias.slope),
         slope_limit: f64::from(bias.slope_limit),
-        bend: f64::from(bias.bend * filter.reach_texels().max(OWN_TEXEL)),
+        bend: f64::from(bias.bend * filter.reach_texels().max(OWN_TEXEL) + caster_error),
         raster_texels: 2.0 * f64::from(RASTER_STEP_TEXELS * STEEPEST_PLANE),
     }
 }

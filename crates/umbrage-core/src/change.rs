@@ -84,6 +84,7 @@ struct PlanKey<'a> {
     fit: Fit,
     flattens: bool,
     transparent_casters: TransparentCasters,
+    caster_error: f32,
     warp: Warp,
     select: Select,
     blend: f32,
@@ -190,6 +191,7 @@ impl Settings {
             storage,
             fit,
             transparent_casters,
+            caster_error,
             unclipped_depth: _, // with the filter, it says whether casters are flattened
             warp,
             select,
@@ -225,6 +227,7 @@ impl Settings {
                 fit,
                 flattens,
                 transparent_casters,
+                caster_error,
                 warp,
                 select,
                 blend,

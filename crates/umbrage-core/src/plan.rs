@@ -107,7 +107,7 @@ impl ShadowPlan {
         self.lights.clear();
         self.lights.extend_from_slice(lights);
         self.views.clear();
-        let reach = reach(&settings.filter, &settings.bias);
+        let reach = reach(settings);
         let shadowed = f64::from(depths.start)..f64::from(depths.end);
         let frame = Frame { camera, bounds, settings, reach, shadowed };
         for (index, light) in lights.iter().enumerate() {
@@ -228,6 +228,17 @@ impl ShadowPlan {
         }
     }
 
+    /// Says how far the casters that are drawn into a view may lie from those that are meant, metres, by the view's place in
+    /// the plan; nothing where there is no such view. What is no number, or less than 0, counts as 0. It must be said before the
+    /// plan is uploaded, and holds until the plan is made anew.
+    ///
+    /// Whoever draws coarser levels of detail than receivers are seen in would see these shadow themselves otherwise.
+    pub fn set_caster_error(&mut self, view: usize, metres: f32) {
+        if let Some(view) = self.views.get_mut(view) {
+            view.caster_error = metres.max(0.0);
+        }
+    }
+
     /// The views, light by light, and in a light split by split or face by face.
     pub fn views(&self) -> &[ShadowView] {
         &self.views
@@ -335,6 +346,7 @@ fn shadow_view(map: FittedMap, place: Place) -> ShadowView {
         tile,
         unclipped_depth,
         samples,
+        caster_error: 0.0,
     }
 }
 

@@ -59,6 +59,10 @@ pub struct Settings {
     pub unclipped_depth: bool,
     /// How casters are drawn that cover only in part. The default is [`TransparentCasters::Dither`].
     pub transparent_casters: TransparentCasters,
+    /// How far a caster's level of detail may lie from the caster, from 0 to 1 texels of the view that draws it; 0 draws every
+    /// caster as it is. The default is 0.25. It is for hosts that have levels of detail: they say with
+    /// [`ShadowPlan::set_caster_error`](crate::ShadowPlan::set_caster_error) how far they went.
+    pub caster_error: f32,
     /// How a map's texels are spent on what is near the eye. The default is [`Warp::None`].
     pub warp: Warp,
     /// How a receiver finds its view. The default is [`Select::Map`].
@@ -94,6 +98,7 @@ impl Default for Settings {
             fit: Fit::Scene,
             unclipped_depth: true,
             transparent_casters: TransparentCasters::Dither, // the only one that lets through what the caster does
+            caster_error: 0.25,                              // a map cannot tell: docs/decisions/0037
             warp: Warp::None,
             blend: 0.0,
             select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
@@ -131,6 +136,7 @@ impl Settings {
             fit,
             unclipped_depth: _,
             transparent_casters: _,
+            caster_error,
             warp,
             select: _,
             blend,
@@ -142,6 +148,7 @@ impl Settings {
         splits::SPLITS.check(*splits)?;
         splits::SPOT_SPLITS.check(*spot_splits)?;
         maps::BLEND.check(*blend)?;
+        maps::CASTER_ERROR.check(*caster_error)?;
         splits::LAMBDA.check(*lambda)?;
         splits::SPLIT_BIAS.check(*split_bias)?;
         splits::DISTANCE.check_given(*distance)?;
@@ -208,6 +215,7 @@ mod tests {
         assert_eq!(key(Settings { splits: 10, ..default() }), "splits");
         assert_eq!(key(Settings { spot_splits: 0, ..default() }), "spot_splits");
         assert_eq!(key(Settings { blend: 1.5, ..default() }), "blend");
+        assert_eq!(key(Settings { caster_error: -0.5, ..default() }), "caster_error");
         assert_eq!(key(Settings { lambda: f32::NAN, ..default() }), "lambda");
         assert_eq!(key(Settings { resolution: 8, ..default() }), "resolution");
         assert_eq!(key(Settings { distance: Some(-1.0), ..default() }), "distance");

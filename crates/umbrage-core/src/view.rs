@@ -52,6 +52,10 @@ pub struct ShadowView {
     /// and texels are then those of all that may be chosen, and finer ones take their place on the GPU. `None` where the plan
     /// says what is covered.
     pub samples: Option<SampleRegion>,
+    /// How far the casters that are drawn may lie from those that are meant, metres: 0, unless
+    /// [`ShadowPlan::set_caster_error`](crate::ShadowPlan::set_caster_error) says otherwise. Lookups stand off their surface
+    /// by as much more.
+    pub caster_error: f32,
 }
 
 impl ShadowView {

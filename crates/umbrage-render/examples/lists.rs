@@ -57,7 +57,7 @@ fn measure(
         let moved = start.elapsed();
         planned.replan(&camera, lights, table.bounds(), &Settings::default())?;
         let after_plan = start.elapsed();
-        table.list(&mut lists, &planned, &camera, true);
+        table.list(&mut lists, &mut planned, &camera, true);
         let all = start.elapsed();
         // The first frame makes the room that the others use.
         if frame > 0 {

@@ -3,9 +3,12 @@
 //! The unit is (instance, part). Their boxes are in one tree, which plans and lists are made from; it is refitted where a pose
 //! moves something. Today the lists are made here, on the CPU; whoever moves them to the GPU moves this file.
 
+mod detail;
+mod levels;
 mod listing;
 mod lists;
 mod nearest_first;
+mod open;
 mod parts;
 mod reach;
 mod touched;
@@ -13,10 +16,12 @@ mod touched;
 use umbrage::{Aabb, Bounds};
 use umbrage_scene::{Instance, Pose, Scene};
 
-pub use lists::{Draw, DrawLists};
+pub use lists::{Draw, DrawLists, Geometry};
 
+use crate::caster_geometry::MeshLevels;
 use crate::cover::Cover;
 use crate::posed::Posed;
+use levels::Levels;
 use parts::{PartRow, Slot};
 use reach::Reach;
 
@@ -35,6 +40,8 @@ pub struct PartTable {
     /// The boxes of all slots, which is what is planned for: those of skies hold nothing. Of what moves they are its
     /// [reach](Reach), so that a plan need not change while it goes to and fro.
     bounds: Bounds,
+    /// The levels of detail that cast in the place of parts, as soon as there are any.
+    levels: Option<Levels>,
     /// The boxes of skies, and the numbers of their slots, in order.
     skies: Bounds,
     sky_slots: Vec<u32>,
@@ -67,6 +74,7 @@ impl PartTable {
             bounds: Bounds::new(boxes.collect()),
             skies,
             sky_slots,
+            levels: None,
             parts,
             slots,
             slots_of_instances,
@@ -119,7 +127,7 @@ impl PartTable {
             self.reaches = (0..self.slots.len() as u32).map(|number| Reach::of(self.aabb(number))).collect();
         }
         let Self { parts, slots, slots_of_instances, firsts, bounds, skies, sky_slots, .. } = self;
-        let Self { posed, moves, epochs, reaches, .. } = self;
+        let Self { posed, moves, epochs, reaches, levels, .. } = self;
         for part in parts.iter_mut() {
             if let Some((shape, number)) = part.bent.filter(|(shape, _)| posed.bent[*shape]) {
                 part.local = posed.local(shape, number);
@@ -144,6 +152,9 @@ impl PartTable {
             let place = |number: &u32| sky_slots.binary_search(number).ok();
             skies.set(skies_moved.filter_map(|(number, _)| Some((place(&number)?, reach(number)))));
         }
+        if let Some(levels) = levels {
+            levels.place(posed);
+        }
     }
 
     /// Returns what the planner needs to know of the world: all of it but skies, which would be most of every map and show
@@ -162,6 +173,16 @@ impl PartTable {
     pub fn moves(&self, instance: u32) -> bool {
         let epoch = self.epoch(instance);
         epoch > 0 && self.moves - epoch < STANDS_AFTER
+    }
+
+    /// Returns which parts of each mesh may have levels of detail, by number.
+    pub(crate) fn with_levels(&self, scene: &Scene) -> Vec<Vec<bool>> {
+        parts::with_levels(scene, &self.posed.shapes)
+    }
+
+    /// Lets levels of detail cast in the place of parts from now on.
+    pub(crate) fn set_levels(&mut self, meshes: &[MeshLevels]) {
+        self.levels = Some(Levels::new(&self.parts, &self.slots, &self.posed, meshes));
     }
 
     /// The box of a slot.

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use glam::Mat4;
+use glam::{Mat3, Mat4, Vec3};
 use umbrage::Aabb;
 use umbrage_scene::{DeformedBounds, Instance, Motion, Pose, Scene};
 
@@ -114,6 +114,20 @@ impl Standing {
         let mirrored =
             may_turn_over(instance).then(|| (world_from_mesh.determinant() < 0.0) != mirror(joints));
         Self { world_from_mesh, is_visible: instance.is_visible_in(pose), mirrored }
+    }
+
+    /// The world box of what has a box in mesh space, whether it is seen or not.
+    pub fn extent(&self, local: umbrage_scene::Aabb) -> Aabb {
+        let world = local.transformed(&self.world_from_mesh);
+        Aabb { min: world.min, max: world.max }
+    }
+
+    /// How many times longer it makes the longest that it enlarges, at most (Gershgorin's bound on the square).
+    pub fn scale(&self) -> f32 {
+        let linear = Mat3::from_mat4(self.world_from_mesh);
+        let squares = linear.transpose() * linear;
+        let bound = |column: Vec3| column.abs().element_sum();
+        bound(squares.x_axis).max(bound(squares.y_axis)).max(bound(squares.z_axis)).sqrt()
     }
 
     /// The world box of what has a box in mesh space, drawn as mirrored or not: empty where it is hidden, drawn the other way,

@@ -15,12 +15,13 @@ use web_time::{Duration, Instant};
 pub use area::AreaRendered;
 pub use bent::BentVertices;
 
+use crate::caster_geometry::{CasterGeometry, CasterLevels};
 use crate::drawn::{Drawn, MapsId, Planned, Rendered};
 use crate::draws::PartTable;
 use crate::error::RenderError;
 use crate::frame::{Frame, Show};
 use crate::gpu::Gpu;
-use crate::passes::casters::{Casters, Surface};
+use crate::passes::casters::{Casters, Surface, Vertices};
 use crate::passes::map_picture::MapPicture;
 use crate::passes::query::QueryPass;
 use crate::pool::{Plans, Targets};
@@ -35,6 +36,8 @@ pub struct Renderer {
     gpu: Gpu,
     scene: Arc<SceneBuffers>,
     parts: PartTable,
+    /// The levels of detail that `parts` draws.
+    levels: Option<Arc<CasterGeometry>>,
     shadows: Shadows,
     /// What was drawn into the shadow maps.
     maps: MapsId,
@@ -49,6 +52,9 @@ pub struct Renderer {
     timer: PassTimer,
     /// Whether parts that no view needs are left out, which they are unless this is off: to measure what it saves.
     pub cull_parts: bool,
+    /// How long the next frame waits for casters to have their levels of detail, which take some seconds a million triangles
+    /// beside what else is done: as long as it takes, unless this says less. Frames before draw casters as they are.
+    pub patience: Duration,
     /// Whether views are not drawn again whose tiles show what they are to show, which they are not unless this is off: to
     /// measure what it saves.
     pub keep_tiles: bool,
@@ -63,7 +69,8 @@ impl Renderer {
     /// When a setting is out of range, or something exceeds the adapter's limits.
     pub fn new(gpu: &Gpu, scene: &Scene, settings: Settings) -> Result<Self, RenderError> {
         let parts = PartTable::new(scene);
-        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers()))?;
+        let levels = CasterLevels::begin(scene, parts.with_levels(scene));
+        let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers(), levels))?;
         Self::with_buffers(gpu, Arc::new(buffers), parts, settings)
     }
 
@@ -73,7 +80,8 @@ impl Renderer {
     /// # Errors
     /// As [`Self::new`].
     pub fn beside(&self, settings: Settings) -> Result<Self, RenderError> {
-        Self::with_buffers(&self.gpu, Arc::clone(&self.scene), self.parts.clone(), settings)
+        let beside = Self::with_buffers(&self.gpu, Arc::clone(&self.scene), self.parts.clone(), settings)?;
+        Ok(Self { patience: self.patience, levels: self.levels.clone(), ..beside })
     }
 
     fn with_buffers(
@@ -97,7 +105,9 @@ impl Renderer {
             targets: Targets::default(),
             lights: Vec::new(),
             timer: PassTimer::new(gpu)?,
+            levels: None,
             cull_parts: true,
+            patience: Duration::MAX,
             keep_tiles: true,
             has_no_room_for_still: false,
         })
@@ -248,18 +258,29 @@ impl Renderer {
         Ok(())
     }
 
+    /// Draws levels of detail from now on, if they are there now.
+    fn take_levels(&mut self) {
+        if self.levels.is_none() {
+            self.levels = self.scene.levels.get(&self.gpu, std::mem::take(&mut self.patience));
+            if let Some(levels) = &self.levels {
+                self.parts.set_levels(&levels.meshes);
+            }
+        }
+    }
+
     fn draw_casters(&self, planned: &Planned) -> Result<(), RenderError> {
-        let Self { gpu, scene, shadows, casters, timer, .. } = self;
+        let Self { gpu, scene, levels, shadows, casters, timer, .. } = self;
         let Planned { plan, numbers, .. } = planned;
         // A timer whose passes never begin would wait for them.
         if !shadows.has_due_views() {
             return Ok(());
         }
         let mut encoder = gpu.encoder("Renderer::casters");
+        let vertices = Vertices { scene, levels: levels.as_deref(), instance_numbers: &numbers.buffer };
         let draw = |mut casting: Casting<'_>, surface: Surface| {
             while let Some((pass, view, share)) = casting.next_share() {
                 let draws = planned.casters(view.index, share);
-                casters.record(pass, view, surface, scene, &numbers.buffer, draws);
+                casters.record(pass, view, surface, &vertices, draws);
             }
         };
         {

@@ -4,6 +4,7 @@ use glam::{DVec3, Vec3};
 use umbrage_scene::{Material, Pose, Scene};
 
 use crate::buffers::filled;
+use crate::caster_geometry::CasterLevels;
 use crate::cover::Cover;
 use crate::deformation::Deformation;
 use crate::error::RenderError;
@@ -31,12 +32,19 @@ pub(crate) struct SceneBuffers {
     pub colours: VertexColours,
     pub surroundings: Surroundings,
     pub finish: Finish,
+    /// What meshes cast with, as soon as it is made.
+    pub levels: CasterLevels,
     /// The covers that the scene's surfaces have.
     pub covers: Vec<Cover>,
 }
 
 impl SceneBuffers {
-    pub fn new(gpu: &Gpu, scene: &Scene, covers: Vec<Cover>) -> Result<Self, RenderError> {
+    pub fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        covers: Vec<Cover>,
+        levels: CasterLevels,
+    ) -> Result<Self, RenderError> {
         let shapes = Shapes::of(scene);
         let positions = shapes.gather(scene, Vec3::ZERO, |all, mesh| all.extend_from_slice(&mesh.positions));
         let attributes = shapes.gather(scene, [0.0; 5], |all: &mut Vec<[f32; 5]>, mesh| {
@@ -62,6 +70,7 @@ impl SceneBuffers {
             materials: Materials::new(gpu, scene)?,
             surroundings: Surroundings::new(gpu, scene),
             finish: if is_matte { Finish::Matte } else { Finish::Glossy },
+            levels,
             covers,
         })
     }

@@ -35,7 +35,7 @@ fn culling_parts_halves_what_a_large_file_draws_and_changes_no_texel_that_is_rea
     let triangles =
         |rendered: &Rendered| rendered.drawn.loads().iter().map(|view| view.triangles).sum::<u64>();
     for select in [Select::Map, Select::Depth] {
-        let settings = Settings { filter: Filter::Hard {}, select, ..Settings::default() };
+        let settings = Settings { filter: Filter::Hard {}, select, caster_error: 0.0, ..Settings::default() };
         let (culled, picture, maps) = draw(&gpu, &scene, settings.clone(), true);
         let (all, picture_of_all, maps_of_all) = draw(&gpu, &scene, settings, false);
         let differing: Vec<_> = maps.depths.iter().zip(&maps_of_all.depths).filter(|(a, b)| a != b).collect();
@@ -68,7 +68,8 @@ fn an_exported_world_draws_as_the_built_in_one() {
 fn wide_filters_lose_no_caster_to_culling() {
     let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
     let scene = worlds::build("robot-war", 0).expect("a world");
-    let settings = Settings { filter: Filter::Pcf { size: 9 }, resolution: 256, ..Settings::default() };
+    let filter = Filter::Pcf { size: 9 };
+    let settings = Settings { filter, resolution: 256, caster_error: 0.0, ..Settings::default() };
     let (culled, picture, _) = draw(&gpu, &scene, settings.clone(), true);
     let (all, picture_of_all, _) = draw(&gpu, &scene, settings, false);
     let triangles =

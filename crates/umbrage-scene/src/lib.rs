@@ -14,6 +14,7 @@ mod baked;
 mod bounds;
 mod bytes;
 mod camera;
+mod caster_mesh;
 mod casting;
 mod curve;
 mod deformed_bounds;
@@ -39,6 +40,7 @@ pub mod worlds;
 
 pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
+pub use caster_mesh::{CasterLevel, CasterMesh, CasterPart};
 pub use casting::NoSuchName;
 pub use curve::{Between, Curve, Keys};
 pub use deformed_bounds::DeformedBounds;

@@ -21,6 +21,8 @@ struct UmbrageView {
     light_kind: u32,
     /// A warp scales stored depth by a factor that is constant along each light ray: dot(this, (x, y, 1)) at x, y of NDC.
     depth_scale: vec3f,
+    /// How far the view's casters may lie from those that are meant, metres.
+    caster_error: f32,
     /// Where local space begins: at the apex of a punctual light, and at the origin for a sun. Its axes are the world's.
     local_origin: vec3f,
     /// Where the tile's upper left texel lies in the lattice of the light's own texels, which no camera moves where the fit

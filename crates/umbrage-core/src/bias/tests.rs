@@ -3,8 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use super::*;
+use crate::filter::Filter;
 use crate::homography::Homography;
 use crate::light_projection::LightProjection;
+use crate::settings::Bias;
 use crate::space::LightSpace;
 use crate::{Bounds, Camera, ConvexVolume, Light, Projection, Rays, Select, ShadowView, Tile, plan};
 
@@ -17,7 +19,7 @@ fn the_tutorials_slope_bias_is_reproduced_on_its_own_scene() {
         let tutorial = (0.005 * degrees.to_radians().tan()).clamp(0.0, 0.01) * 30.0;
         let texel_basis = square_texels(texel);
         let normal = Vec3::new(degrees.to_radians().sin(), degrees.to_radians().cos(), 0.0);
-        let ours = with(bias, Filter::Hard {}).bias_metres(&texel_basis, normal, Vec3::Y).toward_light;
+        let ours = with(bias, Filter::Hard {}).bias_metres(&texel_basis, normal, Vec3::Y, 0.0).toward_light;
         assert!((ours - tutorial).abs() < 1e-5, "{degrees}°: {ours}, not {tutorial}");
     }
 }
@@ -32,7 +34,8 @@ fn the_normal_offset_covers_the_depth_error_of_a_tilted_plane() {
         let normal = Vec3::new(sine * half, cosine, sine * half);
         let texel_basis = square_texels(0.25);
         let gap_along_light =
-            with(bias, Filter::Bilinear {}).bias_metres(&texel_basis, normal, Vec3::Y).along_normal / cosine;
+            with(bias, Filter::Bilinear {}).bias_metres(&texel_basis, normal, Vec3::Y, 0.0).along_normal
+                / cosine;
         let error = std::f32::consts::SQRT_2 * 0.25 * sine / cosine;
         assert!(
             (gap_along_light / error - 1.0).abs() < 1e-4,
@@ -58,8 +61,8 @@ fn a_constant_in_metres_is_the_epsilon_of_dou() {
     for receiver in [apex + axis * 5.0, Vec3::new(1.0, 3.0, 1.0), Vec3::new(-2.0, 0.0, 3.0), Vec3::ZERO] {
         let to_light = (apex - receiver).normalize_or_zero();
         let texel_basis = view.texel_basis_at(receiver);
-        let ours =
-            texel_basis.rise(to_light) * settings.bias_metres(&texel_basis, to_light, to_light).toward_light;
+        let ours = texel_basis.rise(to_light)
+            * settings.bias_metres(&texel_basis, to_light, to_light, 0.0).toward_light;
         let z = 1.0 - view.clip_from_world.project_point3(receiver.as_dvec3()).z as f32;
         // Theirs is measured along the axis, ours along the ray.
         let s = 0.01 * -axis.dot(to_light);
@@ -75,7 +78,8 @@ fn a_constant_in_metres_is_the_epsilon_of_dou() {
 #[test]
 fn surfaces_turned_away_get_a_finite_bias() {
     let bias = Bias { slope: 1.0, ..Bias::default() };
-    let metres = with(bias, Filter::Pcf { size: 9 }).bias_metres(&square_texels(1.0), Vec3::NEG_Y, Vec3::Y);
+    let metres =
+        with(bias, Filter::Pcf { size: 9 }).bias_metres(&square_texels(1.0), Vec3::NEG_Y, Vec3::Y, 0.0);
     assert!(metres.along_normal.is_finite() && metres.toward_light.is_finite(), "{metres:?}");
 }
 
@@ -116,6 +120,7 @@ fn view(axis: DVec3) -> (ShadowView, LightSpace) {
         tile: Tile { layer: 0, x: 0, y: 0, size: 128 },
         unclipped_depth: true,
         samples: None,
+        caster_error: 0.0,
     };
     (view, light)
 }
@@ -145,7 +150,8 @@ fn no_depth_that_is_compared_lies_farther_toward_the_light_than_the_margin() {
     let bias = Bias { receiver_plane: true, ..Bias::default() };
     let filter = Filter::Pcf { size: 5 };
     let (view, light) = view(DVec3::NEG_Y);
-    let margin = reach(&filter, &bias).toward_light_metres(f64::from(view.texel_metres)) as f32;
+    let caster_error = Settings::default().caster_error * view.texel_metres;
+    let margin = reach(&with(bias, filter)).toward_light_metres(f64::from(view.texel_metres)) as f32;
     for degrees in [0.0, 30.0, 60.0, 85.0, 89.9, 95.0f64] {
         for step in 0..16 {
             let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -153,7 +159,8 @@ fn no_depth_that_is_compared_lies_farther_toward_the_light_than_the_margin() {
             let normal = (light.right * x + light.up * y) * sine - light.axis * cosine;
             let texel_basis = view.texel_basis_at(Vec3::ONE);
             let gradient = with(bias, filter).reference_gradient(&texel_basis, normal.as_vec3(), Vec3::Y);
-            let toward = with(bias, filter).bias_metres(&texel_basis, normal.as_vec3(), Vec3::Y);
+            let toward =
+                with(bias, filter).bias_metres(&texel_basis, normal.as_vec3(), Vec3::Y, caster_error);
             // What is steeper is clamped where it is compared.
             let room = std::f32::consts::SQRT_2 * filter.plane_depth_texels() * view.texel_metres;
             let plane = gradient.abs().element_sum() * filter.reach_texels() * view.depth_metres;

@@ -198,7 +198,7 @@ mod tests {
             light_frustum,
             resolution: 1024,
             bounds,
-            reach: reach(&settings.filter, &settings.bias),
+            reach: reach(&settings),
             flattens_casters: true,
             has_bulb: false,
             asked: Asked::OwnSlice,

@@ -90,7 +90,7 @@ impl<'a> Receiver<'a> {
         }
         let to_light = self.plan.lights()[view.light].direction_from(position);
         let texel_basis = view.texel_basis_at(position);
-        let bias = settings.bias_metres(&texel_basis, normal, to_light);
+        let bias = settings.bias_metres(&texel_basis, normal, to_light, view.caster_error);
         let clip = view.clip(position + normal * bias.along_normal);
         let ndc = clip.truncate() / clip.w;
         Place {

@@ -14,13 +14,7 @@ fn input<'a>(
     direction: DVec3,
     depths: Range<f64>,
 ) -> ViewInput<'a> {
-    let frame = Frame {
-        camera,
-        bounds,
-        settings,
-        reach: reach(&settings.filter, &settings.bias),
-        shadowed: depths.clone(),
-    };
+    let frame = Frame { camera, bounds, settings, reach: reach(settings), shadowed: depths.clone() };
     frame.input(depths, LightFrustum::Parallel(direction), settings.resolution)
 }
 

@@ -155,6 +155,7 @@ fn tutorial() -> Settings {
         depth: DepthFormat::U16,
         fit: Fit::Scene,
         select: Select::Depth,
+        caster_error: 0.0,
         filter: Filter::Stratified(disc),
         bias: Bias { slope, slope_limit: 2.0, ..Bias::NONE },
         ..Settings::default()
@@ -163,7 +164,14 @@ fn tutorial() -> Settings {
 
 /// What engines have in common: stable maps, a view by depth, no receiver's plane.
 fn peer() -> Settings {
-    Settings { fit: Fit::Stable, select: Select::Depth, bias: Bias::NONE, ..Settings::default() }
+    // They draw every caster as it is.
+    Settings {
+        fit: Fit::Stable,
+        select: Select::Depth,
+        caster_error: 0.0,
+        bias: Bias::NONE,
+        ..Settings::default()
+    }
 }
 
 /// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel.
@@ -180,6 +188,7 @@ fn zhang(splits: u32, resolution: u32) -> Settings {
 fn source() -> Settings {
     Settings {
         select: Select::Depth,
+        caster_error: 0.0,
         filter: Filter::Hard {},
         bias: Bias { normal: 1.0, constant: 0.002, ..Bias::NONE },
         ..Settings::default()

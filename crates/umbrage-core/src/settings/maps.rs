@@ -65,8 +65,18 @@ pub enum Select {
     Map,
 }
 
-pub(crate) const KEYS: &[Key] =
-    &[RESOLUTION, DEPTH, STORAGE, FIT, UNCLIPPED_DEPTH, TRANSPARENT_CASTERS, WARP, SELECT, BLEND];
+pub(crate) const KEYS: &[Key] = &[
+    RESOLUTION,
+    DEPTH,
+    STORAGE,
+    FIT,
+    UNCLIPPED_DEPTH,
+    TRANSPARENT_CASTERS,
+    CASTER_ERROR,
+    WARP,
+    SELECT,
+    BLEND,
+];
 
 const BASE: Key = Key { costs: &[Cost::Plan], ..Key::of(Group::Maps) };
 
@@ -173,6 +183,16 @@ const SELECT: Key = Key {
             source: "",
         },
     ]),
+    ..BASE
+};
+
+pub(super) const CASTER_ERROR: Key = Key {
+    name: "caster_error",
+    label: "caster error",
+    help: "How far a caster's level of detail may lie from the caster, in texels of the view that draws it. \
+           More is faster, and moves edges; 0 draws every caster as it is.",
+    unit: "texels",
+    values: Values::number(0.0, 1.0, [0.0, 1.0]),
     ..BASE
 };
 

@@ -1,20 +1,28 @@
 //! Lists of draws from the table: what may touch a volume, part by part, joined where the device can draw it at once.
 
 use glam::Vec3;
-use umbrage::{Camera, ConvexVolume, ShadowPlan};
+use umbrage::{Camera, ConvexVolume, ShadowPlan, ShadowView};
 
 use super::PartTable;
+use super::detail::Detail;
 use super::lists::{Draw, DrawLists};
-use super::parts::{PartRow, Slot};
+use super::open::Open;
+use super::parts::Slot;
 use crate::cover::Cover;
 
 impl PartTable {
-    /// Makes all lists of a frame, as the renderer does: two for each of the plan's views, of what casts into it, culled or not;
-    /// then what the camera sees, and the veils before that.
-    pub fn list(&self, lists: &mut DrawLists, plan: &ShadowPlan, camera: &Camera, cull: bool) {
+    /// Makes all lists of a frame, as the renderer does: two for each of the plan's views, of what casts into it, culled and in
+    /// levels of detail, or all as it is; then what the camera sees, and the veils before that. The plan is told how far off
+    /// levels lie.
+    pub fn list(&self, lists: &mut DrawLists, plan: &mut ShadowPlan, camera: &Camera, cull: bool) {
         lists.clear();
-        for view in plan.views() {
-            self.add_casters(lists, cull.then_some(&view.casters));
+        for i in 0..plan.views().len() {
+            if cull {
+                let error = self.add_casters_of(lists, &plan.views()[i], plan.settings().caster_error);
+                plan.set_caster_error(i, error);
+            } else {
+                self.add_casters(lists, None);
+            }
         }
         let seen = ConvexVolume::of_clip(&camera.clip_from_world());
         self.add_seen(lists, &seen, camera.eye());
@@ -22,16 +30,27 @@ impl PartTable {
     }
 
     /// Appends two lists of draws of everything that casts shadows and may touch `volume`, or of all that casts where that is
-    /// `None`: first of what stands, then of what [moves](Self::moves). Solid parts join whatever their materials are, since
-    /// only their depth is drawn.
+    /// `None`, as it is: first of what stands, then of what [moves](Self::moves). Solid parts join whatever their materials
+    /// are, since only their depth is drawn.
     pub fn add_casters(&self, lists: &mut DrawLists, volume: Option<&ConvexVolume>) {
-        let joins =
-            |last: &Draw, part: &PartRow| part.cover == Cover::Solid || last.material == part.material;
         let everything = ConvexVolume::default();
-        let volume = volume.unwrap_or(&everything);
+        self.add_detailed(lists, volume.unwrap_or(&everything), &Detail::FULL);
+    }
+
+    /// Appends the same for the casters of a view, in levels of detail that lie within so many texels of them, as far as there
+    /// are any yet, and without those that cover no texel's centre. Returns how far from its caster any level lies that is
+    /// drawn, at most, metres.
+    pub fn add_casters_of(&self, lists: &mut DrawLists, view: &ShadowView, texels: f32) -> f32 {
+        self.add_detailed(lists, &view.casters, &Detail::of(view, texels))
+    }
+
+    pub(super) fn add_detailed(&self, lists: &mut DrawLists, volume: &ConvexVolume, detail: &Detail) -> f32 {
         self.touch(lists, volume);
-        self.take(lists, |instance| !self.moves(instance), |part| part.casts, joins);
-        self.take(lists, |_| true, |part| part.casts, joins);
+        if let Some(levels) = &self.levels {
+            levels.touch(&mut lists.touched_levels, volume);
+        }
+        let still = self.take(lists, detail, |instance| !self.moves(instance));
+        still.max(self.take(lists, detail, |_| true))
     }
 
     /// Appends the draws of the veils that may touch `volume`, an instance each, those first whose boxes' middles lie deepest.
@@ -40,7 +59,7 @@ impl PartTable {
         if self.parts.last().is_some_and(|part| part.cover == Cover::Veil) {
             self.touch(lists, volume);
         }
-        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
+        let DrawLists { instances, draws, ends, touched, touched_levels: _, by_distance: _ } = lists;
         let first = draws.len();
         touched.take(|number| {
             let Slot { part, instance } = self.slots[number as usize];
@@ -67,64 +86,36 @@ impl PartTable {
         self.skies.touching(volume, |sky| touched.insert(self.sky_slots[sky as usize]));
     }
 
-    /// Takes the slots of some instances from those that were found, and appends the draws of the wanted parts among them. A
-    /// part that follows the last draw, on the same instances, joins it where it may.
-    fn take(
-        &self,
-        lists: &mut DrawLists,
-        is_taken: impl Fn(u32) -> bool,
-        is_wanted: impl Fn(&PartRow) -> bool,
-        may_join: impl Fn(&Draw, &PartRow) -> bool,
-    ) {
-        let DrawLists { instances, draws, ends, touched, by_distance: _ } = lists;
-        let first = draws.len();
-        // The part whose instances are being listed.
-        let (mut open, mut start) = (None, 0);
-        touched.take(|number| {
-            let Slot { part, instance } = self.slots[number as usize];
-            if !is_taken(instance) {
-                return false;
-            }
-            if is_wanted(&self.parts[part as usize]) {
-                if open != Some(part) {
-                    if let Some(open) = open {
-                        self.close(open, start, first, instances, draws, &may_join);
-                    }
-                    (open, start) = (Some(part), instances.len());
+    /// Takes the slots of some instances from those that were found, and appends the draws of the casters among them. Returns
+    /// how far off levels lie, metres.
+    fn take(&self, lists: &mut DrawLists, detail: &Detail, is_taken: impl Fn(u32) -> bool) -> f32 {
+        let DrawLists { instances, draws, ends, touched, touched_levels, by_distance: _ } = lists;
+        let mut open = Open::after(instances, draws);
+        let mut farthest = 0.0f32;
+        if let Some(levels) = &self.levels {
+            touched_levels.take(|number| {
+                let slot = levels.slots[number as usize];
+                let is_taken = is_taken(slot.instance);
+                if is_taken && let Some(error) = levels.drawn(number, detail, &self.posed) {
+                    farthest = farthest.max(error);
+                    open.add(slot, &levels.rows);
                 }
-                instances.push(instance);
+                is_taken
+            });
+            open.close(&levels.rows);
+        }
+        touched.take(|number| {
+            let slot = self.slots[number as usize];
+            let is_taken = is_taken(slot.instance);
+            let row = &self.parts[slot.part as usize];
+            let has_stand_in = || self.levels.as_ref().is_some_and(|levels| levels.stand_in_for(row));
+            if is_taken && row.casts && !has_stand_in() {
+                open.add(slot, &self.parts);
             }
-            true
+            is_taken
         });
-        if let Some(open) = open {
-            self.close(open, start, first, instances, draws, &may_join);
-        }
+        open.close(&self.parts);
         ends.push(draws.len());
-    }
-
-    /// Appends the draw of a part whose instances are listed from `start` on, or joins it to the last of the view's draws,
-    /// which begin at `first`.
-    pub(super) fn close(
-        &self,
-        part: u32,
-        start: usize,
-        first: usize,
-        instances: &mut Vec<u32>,
-        draws: &mut Vec<Draw>,
-        may_join: impl Fn(&Draw, &PartRow) -> bool,
-    ) {
-        let part = &self.parts[part as usize];
-        if let Some(last) = draws[first..].last_mut() {
-            let follows = last.indices.end == part.indices.start
-                && last.base_vertex == part.base_vertex
-                && last.cover == part.cover;
-            let before = last.instances.start as usize..last.instances.end as usize;
-            if follows && may_join(last, part) && instances[before] == instances[start..] {
-                last.indices.end = part.indices.end;
-                instances.truncate(start);
-                return;
-            }
-        }
-        draws.push(part.draw(start as u32..instances.len() as u32));
+        farthest
     }
 }

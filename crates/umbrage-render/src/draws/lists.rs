@@ -8,7 +8,9 @@ use crate::cover::Cover;
 /// One draw: a range of indices, for a run of instances in the list of instance numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draw {
-    /// The range of the scene's index buffer.
+    /// The buffers that it reads.
+    pub geometry: Geometry,
+    /// The range of the index buffer.
     pub indices: Range<u32>,
     /// The number that is added to every index.
     pub base_vertex: i32,
@@ -25,6 +27,15 @@ pub struct Draw {
     pub instances: Range<u32>,
 }
 
+/// Draws read one of a scene's geometries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Geometry {
+    /// They read the meshes as they are, with all of their attributes.
+    Meshes,
+    /// They read what meshes cast with: positions alone, of all levels of detail.
+    Levels,
+}
+
 /// The draws of several views, and the instance numbers that they refer to. What is cleared keeps its room, so that lists
 /// as long as those before allocate nothing.
 #[derive(Clone, Debug, Default)]
@@ -33,7 +44,9 @@ pub struct DrawLists {
     pub(super) draws: Vec<Draw>,
     /// Where each view's draws end.
     pub(super) ends: Vec<usize>,
+    /// The slots that a volume touches, of parts and of their levels.
     pub(super) touched: Touched,
+    pub(super) touched_levels: Touched,
     /// Room for the instances of a part, each with the square of its distance from the eye.
     pub(super) by_distance: Vec<(f32, u32)>,
 }
@@ -41,7 +54,7 @@ pub struct DrawLists {
 impl DrawLists {
     /// Removes all views.
     pub fn clear(&mut self) {
-        let Self { instances, draws, ends, touched: _, by_distance: _ } = self;
+        let Self { instances, draws, ends, touched: _, touched_levels: _, by_distance: _ } = self;
         instances.clear();
         draws.clear();
         ends.clear();

@@ -13,7 +13,7 @@ impl PartTable {
     /// and then those first that come nearest to `eye`.
     pub fn add_seen(&self, lists: &mut DrawLists, volume: &ConvexVolume, eye: Vec3) {
         self.touch(lists, volume);
-        let DrawLists { instances, draws, ends, touched, by_distance } = lists;
+        let DrawLists { instances, draws, ends, touched, touched_levels: _, by_distance } = lists;
         let (first, mut open) = (draws.len(), None);
         touched.take(|number| {
             let Slot { part, instance } = self.slots[number as usize];

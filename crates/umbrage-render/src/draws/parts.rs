@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use umbrage_scene::{Mesh, Scene};
 
-use super::lists::Draw;
+use super::lists::{Draw, Geometry};
 use crate::cover::{Cover, Covers};
 use crate::posed::{Posed, may_turn_over};
 use crate::shapes::Shapes;
@@ -12,6 +12,7 @@ use crate::shapes::Shapes;
 /// A part of a mesh, as some of its instances have it.
 #[derive(Clone, Debug)]
 pub(super) struct PartRow {
+    pub geometry: Geometry,
     pub indices: Range<u32>,
     pub base_vertex: i32,
     pub material: u32,
@@ -24,6 +25,8 @@ pub(super) struct PartRow {
     pub mirrored: bool,
     /// Whether it casts shadows.
     pub casts: bool,
+    /// The mesh whose levels of detail cast in its place, where there are any.
+    pub levels_of: Option<u32>,
     /// Whether it casts none and shows none either: no map need hold it.
     pub is_sky: bool,
 }
@@ -41,6 +44,7 @@ impl PartRow {
     /// The draw of the part for a run of instance numbers.
     pub fn draw(&self, instances: Range<u32>) -> Draw {
         Draw {
+            geometry: self.geometry,
             indices: self.indices.clone(),
             base_vertex: self.base_vertex,
             material: self.material,
@@ -97,6 +101,7 @@ fn groups(scene: &Scene, shapes: &Shapes) -> Vec<[Vec<u32>; 4]> {
 /// What parts are drawn from: a mesh as it is, or one of its shapes.
 struct Source<'a> {
     mesh: &'a Mesh,
+    number: u32,
     first_index: u32,
     base_vertex: i32,
     shape: Option<usize>,
@@ -117,6 +122,7 @@ impl Source<'_> {
         let material = scene.materials.get(part.material);
         let casts = instances_cast && material.is_none_or(|material| material.casts);
         PartRow {
+            geometry: Geometry::Meshes,
             indices: part.indices.start + self.first_index..part.indices.end + self.first_index,
             base_vertex: self.base_vertex,
             material: part.material as u32,
@@ -125,17 +131,39 @@ impl Source<'_> {
             bent: self.shape.map(|shape| (shape, number)),
             mirrored,
             casts,
+            levels_of: has_levels(cover, self.shape.is_some(), casts).then_some(self.number),
             is_sky: !casts && material.is_some_and(|material| material.unlit),
         }
     }
+}
+
+/// Whether levels of detail may cast in the place of a part: masks need texture coordinates, and what is bent is another
+/// shape in each pose.
+fn has_levels(cover: Cover, is_bent: bool, casts: bool) -> bool {
+    cover == Cover::Solid && !is_bent && casts
+}
+
+/// The parts of each mesh whose levels of detail may cast, by number; none where no instance casts them.
+pub(super) fn with_levels(scene: &Scene, shapes: &Shapes) -> Vec<Vec<bool>> {
+    let mut covers = Covers::new(scene);
+    let groups = groups(scene, shapes);
+    let of_mesh = |(mesh, groups): (&Mesh, &[Vec<u32>; 4])| {
+        let is_cast = GROUPS.iter().zip(groups).any(|((_, casts), group)| *casts && !group.is_empty());
+        let part = |part: &umbrage_scene::Part| {
+            let casts = scene.materials.get(part.material).is_none_or(|material| material.casts);
+            is_cast && has_levels(covers.of(mesh, part), false, casts)
+        };
+        mesh.parts.iter().map(part).collect()
+    };
+    scene.meshes.iter().zip(&groups).map(of_mesh).collect()
 }
 
 /// All meshes, and then all shapes, with where they lie in the scene's buffers.
 fn sources<'a>(scene: &'a Scene, shapes: &Shapes) -> Vec<Source<'a>> {
     let (mut first_index, mut base_vertex) = (0, 0);
     let mut all = Vec::with_capacity(scene.meshes.len() + shapes.all.len());
-    for mesh in &scene.meshes {
-        all.push(Source { mesh, first_index, base_vertex, shape: None });
+    for (number, mesh) in (0..).zip(&scene.meshes) {
+        all.push(Source { mesh, number, first_index, base_vertex, shape: None });
         first_index += mesh.indices.len() as u32;
         base_vertex += mesh.positions.len() as i32;
     }

@@ -7,6 +7,7 @@ use umbrage_scene::{Mesh, Primitive};
 use super::*;
 
 mod epochs;
+mod levels;
 mod one_by_one;
 
 /// A row of `count` small triangles along x, one a metre.
@@ -101,7 +102,7 @@ fn lists_that_are_made_again_take_no_more_room() {
         lists.clear();
         table.add_casters(&mut lists, None);
         table.add_seen(&mut lists, &before(50.0), Vec3::ZERO);
-        let DrawLists { instances, draws, ends, touched: _, by_distance: _ } = &lists;
+        let DrawLists { instances, draws, ends, touched: _, touched_levels: _, by_distance: _ } = &lists;
         let (instances, draws, ends) = (instances.as_ptr_range(), draws.as_ptr_range(), ends.as_ptr_range());
         (instances, draws, ends)
     };

@@ -3,8 +3,9 @@
 
 use umbrage::{CasterPipeline, CasterStage, ShadowView, Shadows, caster_wgsl, second_caster_wgsl};
 
+use crate::caster_geometry::CasterGeometry;
 use crate::cover::Cover;
-use crate::draws::Draw;
+use crate::draws::{Draw, Geometry};
 use crate::gpu::Gpu;
 use crate::placement::Placement;
 use crate::scene_buffers::{CASTER_BUFFERS, RECEIVER_BUFFERS, SceneBuffers};
@@ -31,6 +32,29 @@ type Pipelines = Vec<(Cover, [wgpu::RenderPipeline; 2])>;
 pub(crate) enum Surface {
     First,
     Second,
+}
+
+/// The buffers that casters are drawn from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Vertices<'a> {
+    pub scene: &'a SceneBuffers,
+    /// What draws of [`Geometry::Levels`] read; there are none of these where it is `None`.
+    pub levels: Option<&'a CasterGeometry>,
+    pub instance_numbers: &'a wgpu::Buffer,
+}
+
+impl Vertices<'_> {
+    /// Gives a pass what draws of a geometry read, and says whether there is such a geometry.
+    fn bind(&self, pass: &mut wgpu::RenderPass<'_>, geometry: Geometry, is_solid: bool) -> bool {
+        let Self { scene, levels, instance_numbers } = self;
+        match (geometry, levels) {
+            (Geometry::Levels, Some(levels)) => levels.bind(pass, instance_numbers),
+            (Geometry::Levels, None) => return false,
+            (Geometry::Meshes, _) if is_solid => scene.bind_casters(pass, instance_numbers),
+            (Geometry::Meshes, _) => scene.bind_surfaces(pass, instance_numbers),
+        }
+        true
+    }
 }
 
 impl Casters {
@@ -66,8 +90,7 @@ impl Casters {
         pass: &mut wgpu::RenderPass<'_>,
         view: &ShadowView,
         surface: Surface,
-        scene: &SceneBuffers,
-        instance_numbers: &wgpu::Buffer,
+        vertices: &Vertices<'_>,
         draws: [&[Draw]; 2],
     ) {
         let pipelines = match surface {
@@ -87,16 +110,14 @@ impl Casters {
                 pass.set_pipeline(&by_mirroring[usize::from(draw.mirrored)]);
                 set = Some((draw.cover, draw.mirrored));
             }
-            if buffers != Some(is_solid) {
-                if is_solid {
-                    scene.bind_casters(pass, instance_numbers);
-                } else {
-                    scene.bind_surfaces(pass, instance_numbers);
+            if buffers != Some((draw.geometry, is_solid)) {
+                if !vertices.bind(pass, draw.geometry, is_solid) {
+                    continue;
                 }
-                buffers = Some(is_solid);
+                buffers = Some((draw.geometry, is_solid));
             }
             if !is_solid && material != Some(draw.material) {
-                pass.set_bind_group(2, &scene.materials.groups[draw.material as usize], &[]);
+                pass.set_bind_group(2, &vertices.scene.materials.groups[draw.material as usize], &[]);
                 material = Some(draw.material);
             }
             pass.draw_indexed(draw.indices.clone(), draw.base_vertex, draw.instances.clone());

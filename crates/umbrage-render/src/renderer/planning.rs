@@ -20,6 +20,7 @@ impl Renderer {
     pub(super) fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
         let (cull_parts, keep_tiles) = (self.cull_parts, self.keep_tiles);
+        self.take_levels();
         let Self { gpu, scene, parts, shadows, lights, timer, plans, .. } = self;
         let origin = frame.camera.local_origin();
         scene.move_to(gpu, timer, origin, &frame.pose);
@@ -52,7 +53,7 @@ impl Renderer {
             planned.pose = Arc::clone(&frame.pose);
             (planned.size, planned.samples) = ([frame.width, frame.height], frame.samples);
             (planned.exposure, planned.haze) = (frame.exposure, frame.haze);
-            parts.list(&mut planned.lists, &planned.plan, &planned.camera, cull_parts);
+            parts.list(&mut planned.lists, &mut planned.plan, &planned.camera, cull_parts);
             if keep_tiles {
                 keys::name(&mut planned.plan, origin, &planned.lists, parts);
             }

@@ -1,6 +1,7 @@
 //! One side of the picture: a renderer with its settings, and the frame that is shown.
 
 use std::collections::VecDeque;
+use std::time::Duration;
 
 use eframe::{egui, egui_wgpu, wgpu};
 use umbrage::Settings;
@@ -31,9 +32,13 @@ struct Shown {
     drawn: Drawn,
 }
 
+/// A window waits no longer for levels of detail before its first picture.
+const PATIENCE: Duration = Duration::from_millis(300);
+
 impl Side {
     /// Returns a side on which nothing was drawn yet.
-    pub fn new(renderer: Renderer) -> Self {
+    pub fn new(mut renderer: Renderer) -> Self {
+        renderer.patience = renderer.patience.min(PATIENCE);
         Self { renderer, shown: None, egui_texture: EguiTexture::default(), awaited: VecDeque::new() }
     }
 

@@ -5,7 +5,7 @@ import chosen::{umbrage_gradient, umbrage_normal_offset, umbrage_offset_reach};
 import package::frame::umbrage_frame;
 import package::light::{umbrage_depth_rounding, umbrage_direction_to_light};
 import package::receiver::texel_basis::{umbrage_slope, umbrage_texel_basis};
-import package::storage::map::{umbrage_clip_from_local, umbrage_local, umbrage_tile_size};
+import package::storage::map::{umbrage_caster_error, umbrage_clip_from_local, umbrage_local, umbrage_tile_size};
 
 /// A point that asks for visibility.
 struct UmbrageReceiver {
@@ -59,9 +59,11 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let clip = clip_from_local * vec4f(local + world_normal * normal_offset, 1.0);
     // Toward the light: the place on the map stays.
     let rise = dot(texel_basis.depth_gradient, to_light);
-    let bend = rise * umbrage_frame.bias_bend * texel_metres * sqrt(1.0 + tangent * tangent);
+    let along_light = sqrt(1.0 + tangent * tangent);
+    let bend = rise * umbrage_frame.bias_bend * texel_metres * along_light;
     let toward_light = umbrage_frame.bias_constant + umbrage_frame.bias_slope * texel_metres * tangent;
-    let nearer = rise * toward_light + UMBRAGE_OWN_TEXEL * bend;
+    let own_bend = vec2f(UMBRAGE_OWN_TEXEL * bend, rise * umbrage_caster_error(view_index) * along_light);
+    let nearer = rise * toward_light + length(own_bend);
     // Rasterisers round corners, so what is stored may be the depth of a place beside.
     let slope = umbrage_slope(texel_basis, world_normal, cosine);
     let depth = clip.z / clip.w;

@@ -36,6 +36,11 @@ fn umbrage_tile_size(view_index: u32) -> f32 {
     return umbrage_tile(view_index).z;
 }
 
+/// How far a view's casters may lie from those that are meant, metres.
+fn umbrage_caster_error(view_index: u32) -> f32 {
+    return umbrage_frame.views[view_index].caster_error;
+}
+
 /// The array layer that holds a view's tile.
 fn umbrage_layer(view_index: u32) -> i32 {
     return i32(umbrage_tile(view_index).w);

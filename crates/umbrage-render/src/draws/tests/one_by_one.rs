@@ -6,28 +6,25 @@ use umbrage_scene::{Alpha, Material, Motion};
 
 use super::*;
 
-/// A list as it is without a tree: part by part, and instance by instance.
-fn add(
+/// The draws of some casters without a tree: part by part, and instance by instance.
+fn add_casters(
     table: &PartTable,
     lists: &mut DrawLists,
     volume: &ConvexVolume,
-    is_wanted: impl Fn(&PartRow, u32) -> bool,
-    may_join: impl Fn(&Draw, &PartRow) -> bool,
+    is_wanted: impl Fn(u32) -> bool,
 ) {
-    let first = lists.draws.len();
-    for (i, part) in table.parts.iter().enumerate() {
-        let start = lists.instances.len();
+    let DrawLists { instances, draws, ends, .. } = lists;
+    let mut open = open::Open::after(instances, draws);
+    for (i, _) in table.parts.iter().enumerate().filter(|(_, part)| part.casts) {
         for (number, slot) in (0..).zip(&table.slots).filter(|(_, slot)| slot.part as usize == i) {
             let aabb = table.aabb(number);
-            if is_wanted(part, slot.instance) && !aabb.is_empty() && volume.may_touch_box(&aabb) {
-                lists.instances.push(slot.instance);
+            if is_wanted(slot.instance) && !aabb.is_empty() && volume.may_touch_box(&aabb) {
+                open.add(*slot, &table.parts);
             }
         }
-        if lists.instances.len() > start {
-            table.close(i as u32, start, first, &mut lists.instances, &mut lists.draws, &may_join);
-        }
     }
-    lists.ends.push(lists.draws.len());
+    open.close(&table.parts);
+    ends.push(draws.len());
 }
 
 /// What is seen, without a tree.
@@ -129,10 +126,7 @@ proptest! {
         for volume in volumes.iter().chain([&ConvexVolume::default(), &ConvexVolume::empty()]) {
             table.add_casters(&mut lists, Some(volume));
             for moving in [false, true] {
-                let is_wanted = |part: &PartRow, instance| part.casts && table.moves(instance) == moving;
-                add(&table, &mut all, volume, is_wanted, |last, part| {
-                    part.cover == Cover::Solid || last.material == part.material
-                });
+                add_casters(&table, &mut all, volume, |instance| table.moves(instance) == moving);
             }
             table.add_seen(&mut lists, volume, Vec3::X);
             add_seen(&table, &mut all, volume, Vec3::X);
