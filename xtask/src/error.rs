@@ -30,7 +30,7 @@ fn page(results: &Value) -> Option<String> {
     let mut text = format!(
         "# How wrong the default is\n\n\
          Written by `cargo xtask error`; do not edit. `umbrage report experiments/{EXPERIMENT}.toml -o DIR` makes the page with pictures.\n\n\
-         Adapter: {}.\nCommit: {}.\nPictures of {} x {} pixels, four maps of 1024².\n\
+         Adapter: {}.\nCommit: {}.\nPictures of {} x {} pixels, four maps of 16 MiB.\n\
          Shares are of the pixels whose surface faces the sun, however aslant. Visibility is off by the mean error, 0 to 1, which also counts shades that stay on the right side of one half. Edges are displaced by so many pixels in the mean.\n\n\
          | world | camera | mis-shadowed | mean error | false shadow | false light | acne | edges |\n|---|---|---|---|---|---|---|---|\n",
         first["adapter"].as_str()?,

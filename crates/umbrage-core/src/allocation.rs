@@ -157,7 +157,7 @@ mod tests {
         let allocation = Allocation::new(&settings, &lights()).expect("an allocation");
         let of: Vec<_> = (0..4).map(|light| allocation.tiles_of(light)).collect();
         assert_eq!(of.iter().map(|tiles| tiles.len()).collect::<Vec<_>>(), [3, 2, 6, 0]);
-        assert_eq!([of[0][0].size, of[1][0].size, of[2][0].size], [1024, 512, 256]);
+        assert_eq!([of[0][0].size, of[1][0].size, of[2][0].size], [settings.resolution, 512, 256]);
         assert_eq!(of.concat(), allocation.tiles());
     }
 
@@ -177,7 +177,7 @@ mod tests {
             (false, settings.clone(), vec![sun, bad, point]),
             (false, Settings { splits: 3, ..settings.clone() }, vec![sun, spot, point]),
             (false, Settings { storage: Storage::Atlas, ..settings.clone() }, vec![sun, spot, point]),
-            (false, Settings { depth: DepthFormat::U16, ..settings.clone() }, vec![sun, spot, point]),
+            (false, Settings { depth: DepthFormat::F32, ..settings.clone() }, vec![sun, spot, point]),
         ] {
             assert_eq!(allocation.serves(&settings, &lights), wanted, "{settings:?}, {lights:?}");
         }

@@ -41,24 +41,33 @@ pub(crate) struct Limits {
     /// Nothing nearer to the light than this casts, metres.
     pub near: f32,
     pub depth: DepthFormat,
+    /// Whether casters before a map are flattened onto its beginning.
+    pub flattens: bool,
 }
 
 impl Limits {
     /// The distance along the axis of a pyramid at which a map may begin, metres.
     ///
     /// A float is as fine, as a share of the distance, wherever a reversed map begins: it may begin nearer than anything is. A
-    /// whole number is finest near the light, so its map begins at what is nearest, or at the 2000th part of the reach
-    /// where the light stands within a box.
+    /// whole number is finest near the light, and its map begins at what is nearest, but not so near that depth is coarser than
+    /// texels: its last step, reach² / (65536 near), is as long as one of 1300 texels across a right angle where the map begins
+    /// at the hundredth part of its reach. What is nearer is flattened onto the beginning, where it still casts; where it would be
+    /// clipped, maps begin at the 2000th part. Nearer than 0.3 m lies only what holds the lamp: no map needs to begin later,
+    /// however far its lamp reaches.
     fn min_near(&self, apex: DVec3, half_side: f64, reach: f64, bounds: &Bounds) -> f64 {
+        let least = if self.flattens { reach / 100.0 } else { reach / 2000.0 }.min(LAMP_METRES);
         let casters = match self.depth {
             DepthFormat::F32 => 1e-7 * reach,
             // On the axis the corners of the pyramid are nearer than they are.
             DepthFormat::U16 => (bounds.distance_from(apex) / (1.0 + 2.0 * half_side * half_side).sqrt())
-                .clamp(reach / 2000.0, 0.5 * reach),
+                .clamp(least, 0.5 * reach),
         };
         casters.max(f64::from(self.near).min(0.5 * reach))
     }
 }
+
+/// How near to a light only its own lamp lies, metres.
+const LAMP_METRES: f64 = 0.3;
 
 /// The axes of a cube's faces. A receiver's face is the one of the largest part of its direction.
 const FACE_AXES: [DVec3; 6] = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];

@@ -126,7 +126,8 @@ impl ShadowPlan {
     /// The views of one light over these view depths.
     fn add_light(&mut self, frame: &Frame<'_>, index: usize, light: &Light, depths: Range<f32>) {
         let bounds = frame.bounds;
-        let limits = |range| Limits { range, near: light.near(), depth: frame.settings.depth };
+        let flattens = frame.settings.flattens_casters() && light.near() <= 0.0;
+        let limits = |range| Limits { range, near: light.near(), depth: frame.settings.depth, flattens };
         match light.kind() {
             LightKind::Directional { direction } => {
                 let splits = self.splits.clone();

@@ -33,7 +33,7 @@ impl Preset {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Allocation, Filter, Footprint, Pcss, Settings};
+    use crate::{Allocation, DepthFormat, Filter, Footprint, Pcss, Settings};
 
     #[test]
     fn every_preset_is_valid_and_its_name_says_its_maps() {
@@ -59,17 +59,22 @@ mod tests {
             Filter::Pcss(Pcss { blockers, taps, max_texels: resolution as f32 / 32.0, ..Pcss::default() })
         };
         let default = Settings::default();
-        for (suffix, resolution) in [("", 1024), ("-4mib", 512), ("-64mib", 2048)] {
+        for (suffix, resolution, of_floats) in [("", 1448, 1024), ("-4mib", 724, 512), ("-64mib", 2896, 2048)]
+        {
             for (name, splits, filter) in [
                 ("default", 4, Filter::Optimised { size: 3 }),
                 ("fast", 3, Filter::Bilinear {}),
                 ("best", 4, Filter::Footprint(Footprint { taps: 32, max_texels: 8.0 })),
-                ("soft", 4, pcss(resolution, 16, 16)),
-                ("soft-fast", 3, pcss(resolution, 8, 8)),
-                ("soft-best", 4, pcss(resolution, 32, 64)),
+                ("soft", 4, pcss(of_floats, 16, 16)),
+                ("soft-fast", 3, pcss(of_floats, 8, 8)),
+                ("soft-best", 4, pcss(of_floats, 32, 64)),
             ] {
                 let got = Preset::named(&format!("{name}{suffix}")).map(|preset| (preset.settings)());
-                let wanted = Settings { splits, resolution, filter, ..default.clone() };
+                let (depth, resolution) = match filter {
+                    Filter::Pcss(_) => (DepthFormat::F32, of_floats),
+                    _ => (DepthFormat::U16, resolution),
+                };
+                let wanted = Settings { splits, resolution, depth, filter, ..default.clone() };
                 assert_eq!(got, Some(wanted), "{name}{suffix}");
             }
             let sampled = Preset::named(&format!("sdsm{suffix}")).map(|preset| (preset.settings)());

@@ -43,7 +43,7 @@ pub(crate) const WARPS: &[Choice] = &[
     Choice {
         name: "psm",
         label: "PSM",
-        help: "As the camera's own perspective does.",
+        help: "As the camera's own perspective does. Depth is warped with it, and wants texels of 32 bits.",
         source: "Stamminger & Drettakis 2002; Kozlov 2004",
     },
     Choice {

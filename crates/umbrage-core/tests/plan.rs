@@ -99,7 +99,9 @@ proptest! {
                     prop_assert_eq!(before.0.col(column), after.0.col(column), "the map turns or scales");
                 }
                 prop_assert_eq!(before.0.w_axis.z, after.0.w_axis.z, "depths move");
-                let texels = (after.0.w_axis - before.0.w_axis).truncate().truncate().as_dvec2() * 512.0;
+                let texels = (after.0.w_axis - before.0.w_axis).truncate().truncate().as_dvec2()
+                    * f64::from(settings.resolution)
+                    * 0.5;
                 let off = (texels - texels.round()).abs().max_element();
                 prop_assert!(off < 2e-3 + 1e-6 * texels.abs().max_element(), "moved by {texels} texels");
             }

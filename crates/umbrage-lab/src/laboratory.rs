@@ -55,8 +55,8 @@ impl<'a> Laboratory<'a> {
     /// As [`Renderer::new`].
     pub fn new(gpu: &'a Gpu, scene: &'a Scene) -> Result<Self, LabError> {
         let mut renderer = Renderer::new(gpu, scene, Settings::default())?;
-        // What is measured is what maps cost that are drawn.
-        renderer.keep_tiles = false;
+        // What is measured is what maps cost that are drawn, and of each frame by itself.
+        (renderer.keep_tiles, renderer.hold_plans) = (false, false);
         Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default() })
     }
 

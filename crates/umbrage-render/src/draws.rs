@@ -53,6 +53,7 @@ pub struct PartTable {
     epochs: Vec<u64>,
     /// The room that each slot takes, once something has moved.
     reaches: Vec<Reach>,
+    holds_reaches: bool,
 }
 
 impl PartTable {
@@ -84,6 +85,7 @@ impl PartTable {
             moves: 0,
             epochs: vec![0; scene.instances.len()],
             reaches: Vec::new(),
+            holds_reaches: true,
         }
     }
 
@@ -108,6 +110,12 @@ impl PartTable {
         }
     }
 
+    /// Says whether plans are made for the [reach](Reach) of what moves, as they are unless this is off, or for where it is: then
+    /// a plan does not depend on the poses before, and changes with each.
+    pub fn hold_reaches(&mut self, on: bool) {
+        self.holds_reaches = on;
+    }
+
     /// Returns an instance's epoch: the number of the last [`Self::move_to`], among those to another pose, counted from 1, that
     /// changed its matrix, how it is bent, or whether it is seen. It is 0 where none did, and where there is no such instance.
     ///
@@ -127,7 +135,7 @@ impl PartTable {
             self.reaches = (0..self.slots.len() as u32).map(|number| Reach::of(self.aabb(number))).collect();
         }
         let Self { parts, slots, slots_of_instances, firsts, bounds, skies, sky_slots, .. } = self;
-        let Self { posed, moves, epochs, reaches, levels, .. } = self;
+        let Self { posed, moves, epochs, reaches, holds_reaches, levels, .. } = self;
         for part in parts.iter_mut() {
             if let Some((shape, number)) = part.bent.filter(|(shape, _)| posed.bent[*shape]) {
                 part.local = posed.local(shape, number);
@@ -143,7 +151,8 @@ impl PartTable {
         let moved = moved.map(|number| (*number, slots[*number as usize]));
         let of_sky = |slot: &Slot| parts[slot.part as usize].is_sky;
         for (number, slot) in moved.clone() {
-            reaches[number as usize].move_to(aabb(parts, posed, slot), *moves);
+            let (reach, aabb) = (&mut reaches[number as usize], aabb(parts, posed, slot));
+            if *holds_reaches { reach.move_to(aabb, *moves) } else { *reach = Reach::of(aabb) }
         }
         let reach = |number: u32| reaches[number as usize].aabb;
         bounds.set(moved.clone().filter(|(_, slot)| !of_sky(slot)).map(|(i, _)| (i as usize, reach(i))));

@@ -58,6 +58,9 @@ pub struct Renderer {
     /// Whether views are not drawn again whose tiles show what they are to show, which they are not unless this is off: to
     /// measure what it saves.
     pub keep_tiles: bool,
+    /// Whether plans leave room for what moves, which they do unless this is off: they stay the same while it goes to and fro,
+    /// and so do kept tiles. Where this is off, a picture does not depend on the frames before.
+    pub hold_plans: bool,
     /// Whether there was no room for maps of what stands.
     has_no_room_for_still: bool,
 }
@@ -109,6 +112,7 @@ impl Renderer {
             cull_parts: true,
             patience: Duration::MAX,
             keep_tiles: true,
+            hold_plans: true,
             has_no_room_for_still: false,
         })
     }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use bodies::{add_sheet, add_tube, bodies, node, play, turn_over_time, yard};
 use glam::{DVec3, Mat4, Vec3};
 use reference::{baked, bent};
-use umbrage_render::umbrage::{Bias, CasterFaces, Filter, Settings};
+use umbrage_render::umbrage::{Bias, CasterFaces, DepthFormat, Filter, Settings};
 use umbrage_render::{Frame, Gpu, Renderer, Show};
 use umbrage_scene::rig::{Channel, Track};
 use umbrage_scene::{Curve, Instance, Keys, Light, Mesh, Scene, load_glb_bytes, to_glb};
@@ -58,6 +58,11 @@ fn bent_vertices_are_those_of_an_evaluation_in_f64() {
     }
 }
 
+/// Texels as long as a pixel here, of hardly any rounding: where bodies are bent on the device, corners are rounded otherwise.
+fn hard() -> Settings {
+    Settings { resolution: 1024, depth: DepthFormat::F32, filter: Filter::Hard {}, ..Settings::default() }
+}
+
 #[test]
 fn pictures_of_bent_bodies_are_those_of_the_same_pose_in_still_meshes() {
     let gpu = gpu();
@@ -67,7 +72,7 @@ fn pictures_of_bent_bodies_are_those_of_the_same_pose_in_still_meshes() {
         let sides = [CasterFaces::Both, CasterFaces::Front, CasterFaces::Back];
         for casters in sides.into_iter().take(if name.contains("sheet") { 1 } else { 3 }) {
             let bias = Bias { casters, ..Bias::default() };
-            let settings = Settings { bias, filter: Filter::Hard {}, ..Settings::default() };
+            let settings = Settings { bias, ..hard() };
             let moving = visibility(&gpu, &scene, 0.0, &settings);
             let still = visibility(&gpu, &baked(&scene, &pose), 0.0, &settings);
             let shadowed = still.iter().filter(|pixel| **pixel < 128).count();
@@ -91,7 +96,8 @@ fn is_edge(picture: &[u8], i: usize) -> bool {
 
 #[test]
 fn pictures_of_bent_bodies_are_those_of_the_pose_baked_into_a_file() {
-    let (gpu, settings) = (gpu(), Settings { filter: Filter::Hard {}, ..Settings::default() });
+    let settings = hard();
+    let gpu = gpu();
     for (name, scene) in bodies() {
         let bytes = to_glb(&scene.baked(&scene.pose(0.0))).expect("a file");
         let file = load_glb_bytes(&bytes, name).expect("the file reads back").scene;

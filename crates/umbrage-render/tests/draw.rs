@@ -6,7 +6,7 @@
 mod large_gltf;
 
 use glam::{Mat4, Vec3};
-use umbrage_render::umbrage::{Bias, CasterFaces, Filter, MapTexels, Select, Settings};
+use umbrage_render::umbrage::{Bias, CasterFaces, DepthFormat, Filter, MapTexels, Select, Settings};
 use umbrage_render::{Frame, Gpu, Mark, Picture, Rendered, Renderer, Show};
 use umbrage_scene::{Scene, load_glb_bytes, to_glb, worlds};
 
@@ -94,7 +94,8 @@ fn mirrored_instances_cast_with_the_faces_that_were_asked_for() {
     mirrored.instances.iter_mut().for_each(|instance| instance.world_from_mesh *= flip);
     let maps = |scene: &Scene, casters| {
         let bias = Bias { casters, ..Bias::default() };
-        draw(&gpu, scene, Settings { bias, resolution: 256, ..Settings::default() }, true).2
+        let settings = Settings { bias, resolution: 256, depth: DepthFormat::F32, ..Settings::default() };
+        draw(&gpu, scene, settings, true).2
     };
     let (front, back) = (maps(&scene, CasterFaces::Front), maps(&scene, CasterFaces::Back));
     // Depths are interpolated from corners in another order, and rounded so.
@@ -113,6 +114,7 @@ fn moving_things_move_with_time_and_come_back() {
     let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
     let scene = worlds::build("brick-ground", 0).expect("a world");
     let mut renderer = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    renderer.hold_plans = false;
     let mut at = |seconds| {
         let drawn = renderer
             .render(&Frame { pose: scene.pose(seconds).into(), ..frame(&scene, Show::World) })

@@ -93,6 +93,7 @@ fn renderers_beside_each_other_may_draw_different_times() {
     let (gpu, scene) = (gpu(), worlds::build("brick-ground", 0).expect("a world"));
     let mut one = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
     let mut other = one.beside(Settings::default()).expect("another renderer");
+    (one.hold_plans, other.hold_plans) = (false, false);
     let at = |renderer: &mut Renderer, seconds| {
         let drawn = renderer.draw(&frame(&scene, seconds, Show::World)).expect("a frame");
         (drawn.picture().expect("a picture"), drawn)

@@ -76,7 +76,7 @@ pub fn run(args: &DemoArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let shot = main_shot(&scene)?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
-    let ways = [("One shadow map of 1024²", "zhang-ssm-1024"), ("Four splits of 1024²", "default")];
+    let ways = [("One shadow map of 1024²", "zhang-ssm-1024"), ("Four splits of 1448²", "default")];
     let bar = progress::bar(ways.len() as u64, "drawing and judging");
     let mut columns = Vec::new();
     for (what, preset) in ways {

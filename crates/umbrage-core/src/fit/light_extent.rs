@@ -60,7 +60,7 @@ mod tests {
     fn depths_on_a_cubes_faces_are_those_of_v14() {
         let world = Aabb { min: Vec3::splat(-50.0), max: Vec3::splat(50.0) };
         let bounds = Bounds::within(world, Vec::new());
-        let limits = Limits { range: 25.0, near: 0.0, depth: DepthFormat::F32 };
+        let limits = Limits { range: 25.0, near: 0.0, depth: DepthFormat::F32, flattens: true };
         let apex = Vec3::new(7.0, -2.0, 3.0);
         // Offset; its face and the depth on it, between 0.1 m and 25 m.
         for (offset, face, depth) in [

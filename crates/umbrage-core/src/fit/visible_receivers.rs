@@ -233,7 +233,7 @@ mod tests {
     #[test]
     fn the_apex_of_a_spot_and_what_is_behind_it_are_moved_before_it() {
         let (camera, bounds, direction) = v29();
-        let limits = Limits { range: 40.0, near: 0.0, depth: crate::DepthFormat::F32 };
+        let limits = Limits { range: 40.0, near: 0.0, depth: crate::DepthFormat::F32, flattens: true };
         let pyramid = Pyramid::spot(Vec3::new(5.0, 12.0, -30.0), direction, 0.5, limits, &bounds);
         let input = input(&camera, &bounds, LightFrustum::FromApex(pyramid));
         let mut outline = Outline::default();

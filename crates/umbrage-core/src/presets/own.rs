@@ -3,27 +3,27 @@
 use super::preset::Preset;
 use crate::filter::{Filter, Footprint, Pcss};
 use crate::fit::Fit;
-use crate::settings::Settings;
+use crate::settings::{DepthFormat, Settings};
 
-/// A way in maps of 16, 4 and 64 MiB, which have tiles of 1024, 512 and 2048 texels. Where `how` is `within`, the maps fill
-/// no more than three quarters of that.
+/// A way in maps of 16, 4 and 64 MiB. Where `how` is `within`, there are three maps, which fill no more than three quarters of
+/// that.
 macro_rules! in_three_sizes {
     ($name:literal, $how:literal, $says:literal, $settings:expr) => {
         [
             Preset {
                 name: $name,
                 source: concat!("this project: ", $says),
-                settings: || sized(1024, $settings),
+                settings: || sized(16, $settings),
             },
             Preset {
                 name: concat!($name, "-4mib"),
                 source: concat!("this project: the same ", $how, " 4 MiB"),
-                settings: || sized(512, $settings),
+                settings: || sized(4, $settings),
             },
             Preset {
                 name: concat!($name, "-64mib"),
                 source: concat!("this project: the same ", $how, " 64 MiB"),
-                settings: || sized(2048, $settings),
+                settings: || sized(64, $settings),
             },
         ]
     };
@@ -65,8 +65,9 @@ pub(super) const OWN: [[Preset; 3]; 7] = [
     ),
 ];
 
-/// Maps of so many texels a side; a soft filter reaches over a 32nd of them.
-fn sized(resolution: u32, settings: Settings) -> Settings {
+/// Maps four of which fill so many MiB: 1448² of 16 bits, or 1024² of 32. A soft filter reaches over a 32nd of them.
+fn sized(mib: u64, settings: Settings) -> Settings {
+    let resolution = ((mib << 20) / (4 * settings.depth.bytes())).isqrt() as u32;
     let filter = match settings.filter {
         Filter::Pcss(pcss) => Filter::Pcss(Pcss { max_texels: resolution as f32 / 32.0, ..pcss }),
         other => other,
@@ -87,7 +88,9 @@ fn sampled() -> Settings {
     Settings { fit: Fit::Sample, lambda: 1.0, ..Settings::default() }
 }
 
-/// The sun's own size, and so many points to search and to compare.
+/// The sun's own size, and so many points to search and to compare. How far a blocker is must not be flattened, so that maps
+/// hold all of the world's depth: 16 bits would be too few.
 fn soft(blockers: u32, taps: u32) -> Settings {
-    Settings { filter: Filter::Pcss(Pcss { blockers, taps, ..Pcss::default() }), ..Settings::default() }
+    let filter = Filter::Pcss(Pcss { blockers, taps, ..Pcss::default() });
+    Settings { depth: DepthFormat::F32, filter, ..Settings::default() }
 }

@@ -154,24 +154,26 @@ fn tutorial() -> Settings {
         splits: 1,
         depth: DepthFormat::U16,
         fit: Fit::Scene,
-        select: Select::Depth,
-        caster_error: 0.0,
         filter: Filter::Stratified(disc),
         bias: Bias { slope, slope_limit: 2.0, ..Bias::NONE },
+        ..base()
+    }
+}
+
+/// What all have in common: maps of 1024² in 32 bits unless they say otherwise, a view by depth, and every caster as it is.
+fn base() -> Settings {
+    Settings {
+        resolution: 1024,
+        depth: DepthFormat::F32,
+        select: Select::Depth,
+        caster_error: 0.0,
         ..Settings::default()
     }
 }
 
-/// What engines have in common: stable maps, a view by depth, no receiver's plane.
+/// What engines have in common: stable maps, no receiver's plane.
 fn peer() -> Settings {
-    // They draw every caster as it is.
-    Settings {
-        fit: Fit::Stable,
-        select: Select::Depth,
-        caster_error: 0.0,
-        bias: Bias::NONE,
-        ..Settings::default()
-    }
+    Settings { fit: Fit::Stable, bias: Bias::NONE, ..base() }
 }
 
 /// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel.
@@ -184,13 +186,7 @@ fn zhang(splits: u32, resolution: u32) -> Settings {
     Settings { splits, resolution, lambda: 0.5, fit: Fit::View, ..source() }
 }
 
-/// What every source has: a view by depth, one comparison a pixel, and an offset along the normal.
+/// What every source has: one comparison a pixel, and an offset along the normal.
 fn source() -> Settings {
-    Settings {
-        select: Select::Depth,
-        caster_error: 0.0,
-        filter: Filter::Hard {},
-        bias: Bias { normal: 1.0, constant: 0.002, ..Bias::NONE },
-        ..Settings::default()
-    }
+    Settings { filter: Filter::Hard {}, bias: Bias { normal: 1.0, constant: 0.002, ..Bias::NONE }, ..base() }
 }

@@ -56,7 +56,7 @@ fn a_chosen_rectangle_is_what_the_view_covers() {
     let ndc = view.clip_from_world.project_point3(corner);
     assert!((ndc.truncate() - DVec2::ONE).length() < 1e-9, "{ndc}");
     assert!((view.clip_from_world.project_point3(DVec3::ONE).z - depth).abs() < 1e-12, "depth stays");
-    assert_eq!(view.texel_metres, 8.0 / 1024.0);
+    assert_eq!(view.texel_metres, 8.0 / view.tile.size as f32);
 }
 
 #[test]

@@ -106,7 +106,8 @@ const DEPTH: Key = Key {
         Choice {
             name: "u16",
             label: "16-bit unsigned",
-            help: "Half of the memory, and steps of a 65535th of the map's depth.",
+            help: "Half of the memory, and steps of a 65535th of the map's depth: fine where casters are flattened. Soft filters \
+                   keep all of the world's depth, and want floats where that is kilometres.",
             source: "opengl-tutorial 16",
         },
     ]),

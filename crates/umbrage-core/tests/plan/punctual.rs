@@ -5,7 +5,8 @@ use std::ops::Range;
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use umbrage_core::{
-    Aabb, Bounds, Camera, Fit, Light, LightKind, Projection, Rays, Settings, ShadowView, Warp, plan,
+    Aabb, Bounds, Camera, DepthFormat, Fit, Light, LightKind, Projection, Rays, Settings, ShadowView, Warp,
+    plan,
 };
 
 use super::any::{camera, direction, fit_and_warp, point_in, seen, share, world};
@@ -80,6 +81,11 @@ fn check(
     Ok(())
 }
 
+/// A format whose maps hold every place before a receiver: where casters are clipped, whole numbers begin at what is nearest.
+fn depth(unclipped_depth: bool) -> DepthFormat {
+    if unclipped_depth { DepthFormat::U16 } else { DepthFormat::F32 }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(800))]
 
@@ -90,7 +96,8 @@ proptest! {
         shares in proptest::collection::vec((0usize..40, share(), 0.0f32..1.0), 100),
     ) {
         let bounds = world();
-        let settings = Settings { fit, warp, spot_splits, unclipped_depth, blend, ..Settings::default() };
+        let depth = depth(unclipped_depth);
+        let settings = Settings { fit, warp, spot_splits, unclipped_depth, depth, blend, ..Settings::default() };
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
         prop_assert_eq!(plan.views().len(), spot_splits as usize);
         let LightKind::Spot { position, direction, half_angle, range } = light.kind() else { unreachable!("a spot") };
@@ -120,7 +127,8 @@ proptest! {
         shares in proptest::collection::vec((0usize..40, share(), 0.0f32..1.0), 100),
     ) {
         let bounds = world();
-        let settings = Settings { fit, warp, unclipped_depth, ..Settings::default() };
+        let settings =
+            Settings { fit, warp, unclipped_depth, depth: depth(unclipped_depth), ..Settings::default() };
         let light = Light::point(apex, range).unwrap().with_resolution(resolution);
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
         prop_assert_eq!(plan.views().len(), 6);
@@ -204,14 +212,15 @@ fn face(ray: DVec3) -> (usize, DVec3) {
 
 #[test]
 fn texels_of_a_point_light_grow_with_the_distance() {
-    // A face of 90° on 1024 texels, without room for a filter, has 2 a / 1024 metres a texel at depth a.
+    // A face of 90° on n texels, without room for a filter, has 2 a / n metres a texel at depth a.
     let camera = straight_camera();
     let bounds = Bounds::of_world(Vec3::splat(-30.0), Vec3::splat(30.0));
     let lights = [Light::point(Vec3::ZERO, 25.0).unwrap()];
-    let plan = plan(&camera, &lights, &bounds, &Settings::default()).unwrap();
+    let settings = Settings::default();
+    let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
     for depth in [1.0f32, 5.0, 20.0] {
         let texel = plan.views()[5].texel_basis_at(Vec3::new(0.0, 0.0, -depth)).texel_metres();
-        let bare = 2.0 * depth / 1024.0;
+        let bare = 2.0 * depth / settings.resolution as f32;
         assert!(texel > bare && texel < 1.02 * bare, "{texel} m at {depth} m, bare {bare} m");
     }
 }

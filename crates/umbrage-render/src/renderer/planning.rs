@@ -19,11 +19,12 @@ impl Renderer {
     /// Moves what moves, plans, lists what is drawn into which view, and uploads all of it.
     pub(super) fn plan(&mut self, frame: &Frame) -> Result<Arc<Planned>, RenderError> {
         let start = Instant::now();
-        let (cull_parts, keep_tiles) = (self.cull_parts, self.keep_tiles);
+        let (cull_parts, keep_tiles, hold_plans) = (self.cull_parts, self.keep_tiles, self.hold_plans);
         self.take_levels();
         let Self { gpu, scene, parts, shadows, lights, timer, plans, .. } = self;
         let origin = frame.camera.local_origin();
         scene.move_to(gpu, timer, origin, &frame.pose);
+        parts.hold_reaches(hold_plans);
         parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);
         let make = |shadows: &mut Shadows| {

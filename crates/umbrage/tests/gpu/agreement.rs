@@ -3,7 +3,8 @@
 use crate::common::{Drawn, Query, camera, device, draw, hits, queries, world};
 use glam::Vec3;
 use umbrage::{
-    ExponentialVariance, Filter, Fit, MapTexels, Select, Settings, Storage, SummedVariance, Variance,
+    DepthFormat, ExponentialVariance, Filter, Fit, MapTexels, Select, Settings, Storage, SummedVariance,
+    Variance,
 };
 
 const LIGHT: Vec3 = Vec3::new(0.5, -1.0, 0.3);
@@ -169,7 +170,7 @@ fn shadows_are_there_at_all() {
 #[test]
 fn a_moving_camera_leaves_the_texels_of_a_stable_map_as_they_are() {
     let world = world();
-    let settings = Settings { fit: Fit::Stable, ..settings() };
+    let settings = Settings { fit: Fit::Stable, depth: DepthFormat::F32, ..settings() };
     let frames: Vec<(Drawn, MapTexels)> = (0..8)
         .map(|i| {
             let turn = i as f32 * 0.13;

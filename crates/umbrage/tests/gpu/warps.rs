@@ -2,7 +2,9 @@
 
 use crate::common::{Drawn, Query, bounds, camera, device, draw_lit, queries, world};
 use glam::{DVec3, Vec3};
-use umbrage::{Camera, Exponential, Filter, FourMoments, Light, Select, Settings, Variance, Warp};
+use umbrage::{
+    Camera, DepthFormat, Exponential, Filter, FourMoments, Light, Select, Settings, Variance, Warp,
+};
 
 const WARPS: [Warp; 3] = [Warp::Psm, Warp::Lispsm, Warp::Tsm];
 
@@ -71,7 +73,9 @@ fn every_warp_shadows_what_rays_say_alone_and_in_splits() {
                 let settings = Settings { splits, select, unclipped_depth, ..Settings::default() };
                 let even = wrong(&drawn(&settings, sun(direction), &camera), &queries, sun(direction));
                 for warp in WARPS {
-                    let settings = Settings { warp, ..settings.clone() };
+                    // The perspective map's depth is far finer near the eye than far away.
+                    let depth = if warp == Warp::Psm { DepthFormat::F32 } else { settings.depth };
+                    let settings = Settings { warp, depth, ..settings.clone() };
                     let warped = wrong(&drawn(&settings, sun(direction), &camera), &queries, sun(direction));
                     println!(
                         "{direction}, {splits}, {select:?}, {warp:?}: {warped:.4} wrong, {even:.4} without"
