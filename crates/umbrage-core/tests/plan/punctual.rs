@@ -226,6 +226,25 @@ fn texels_of_a_point_light_grow_with_the_distance() {
 }
 
 #[test]
+fn a_lamp_in_a_box_has_depth_as_fine_as_its_texels_and_begins_where_only_the_lamp_is() {
+    let camera = straight_camera();
+    let settings = Settings { depth: DepthFormat::U16, ..Settings::default() };
+    for (half_side, range) in [(3.0f32, f32::INFINITY), (25.0, 25.0), (5000.0, f32::INFINITY), (5000.0, 20.0)] {
+        let bounds = Bounds::of_world(Vec3::splat(-half_side), Vec3::splat(half_side));
+        let light = Light::point(Vec3::ZERO, range).unwrap();
+        let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
+        let view = &plan.views()[5];
+        let reach = range.min(half_side);
+        assert!(view.near_metres <= 0.31, "{reach} m: {} m", view.near_metres);
+        // As far as the map can be as fine as that, a step of depth is no longer than a texel.
+        let far = reach.min(25.0);
+        let step = far * far / (view.near_metres * 65535.0);
+        let texel = 2.0 * far / settings.resolution as f32;
+        assert!(step < 1.2 * texel, "{reach} m: steps of {step} m in texels of {texel} m");
+    }
+}
+
+#[test]
 fn a_cone_that_the_camera_sees_nothing_of_gets_one_finite_view_a_split() {
     let camera = straight_camera();
     let bounds = Bounds::of_world(Vec3::splat(-30.0), Vec3::splat(30.0));
