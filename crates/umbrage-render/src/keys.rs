@@ -28,10 +28,11 @@ pub(crate) fn name(plan: &mut ShadowPlan, origin: DVec3, lists: &DrawLists, part
 /// A number of what is drawn by a list: its triangles, and where each instance stands and how it is bent.
 fn number(mut state: DefaultHasher, draws: &[Draw], lists: &DrawLists, parts: &PartTable) -> u64 {
     for draw in draws {
-        let Draw { geometry, indices, base_vertex, material, cover, mirrored, depth: _, instances } = draw;
+        let Draw { geometry, closed, indices, base_vertex, material, cover, mirrored, depth: _, instances } =
+            draw;
         // Only the depth of what is solid is drawn.
         let material = if *cover == Cover::Solid { 0 } else { *material };
-        geometry.hash(&mut state);
+        (geometry, closed).hash(&mut state);
         (indices.start, indices.end, *base_vertex, material, *cover as u8, *mirrored).hash(&mut state);
         let instances = &lists.instances()[instances.start as usize..instances.end as usize];
         state.write(bytemuck::cast_slice(instances));

@@ -5,6 +5,8 @@
 #[expect(dead_code, reason = "the example's main is for the command line")]
 mod large_gltf;
 
+use std::time::Duration;
+
 use glam::{Mat4, Vec3};
 use umbrage_render::umbrage::{Bias, CasterFaces, DepthFormat, Filter, MapTexels, Select, Settings};
 use umbrage_render::{Frame, Gpu, Mark, Picture, Rendered, Renderer, Show};
@@ -76,6 +78,30 @@ fn wide_filters_lose_no_caster_to_culling() {
         |rendered: &Rendered| rendered.drawn.loads().iter().map(|view| view.triangles).sum::<u64>();
     assert!(triangles(&culled) < triangles(&all), "something is culled");
     assert!(picture == picture_of_all, "visibility is the same");
+}
+
+#[test]
+fn what_is_closed_casts_without_its_backs_as_with_them() {
+    let gpu = Gpu::new(Some("vulkan")).expect("run scripts/setup");
+    for world in ["bunny", "knights", "robot-war", "primitives", "night-chessboard"] {
+        let scene = worlds::build(world, 0).expect("a world");
+        let settings = Settings { resolution: 512, caster_error: 0.0, ..Settings::default() };
+        let maps = |patience| {
+            let mut renderer = Renderer::new(&gpu, &scene, settings.clone()).expect("a renderer");
+            renderer.patience = patience;
+            let rendered = renderer.render(&frame(&scene, Show::Visibility(0))).expect("a frame");
+            let picture = rendered.drawn.picture().expect("a picture");
+            (renderer.maps(&rendered.drawn).expect("maps").depths, picture.rgba)
+        };
+        // Without levels of detail, meshes cast as they are, both sides of them.
+        let ((both, seen), (fronts, seen_by_fronts)) = (maps(Duration::ZERO), maps(Duration::MAX));
+        // A step is a 65535th; corners are interpolated from in another order.
+        let differing = both.iter().zip(&fronts).filter(|(a, b)| (*a - *b).abs() > 2e-5).count();
+        println!("{world}: {differing} of {} texels differ", both.len());
+        assert!(differing * 100_000 <= both.len(), "{world}: {differing} of {} texels differ", both.len());
+        let pixels = seen.iter().zip(&seen_by_fronts).filter(|(a, b)| a.abs_diff(**b) > 24).count();
+        assert!(pixels <= 4, "{world}: {pixels} bytes of the picture differ");
+    }
 }
 
 #[test]

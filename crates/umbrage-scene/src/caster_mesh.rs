@@ -6,6 +6,7 @@
 //! deviation of each step is measured. The unit of a level is the whole mesh, so that no cracks let light through; each
 //! level is cut into parts of its own, so that what is culled stays small.
 
+mod closed;
 mod deviation;
 mod levels;
 mod pages;
@@ -37,6 +38,8 @@ pub struct CasterLevel {
     /// No vertex of the mesh is farther than this from the level, and no step of the simplifier moved the surface farther, in
     /// units of mesh space. It is 0 for the first level and grows from each to the next.
     pub error: f32,
+    /// Whether it encloses something, and faces outward: whoever is outside sees no back of it, and a sun shines on none first.
+    pub closed: bool,
     /// The parts of the level; their ranges of indices follow each other.
     pub parts: Vec<CasterPart>,
 }

@@ -229,7 +229,8 @@ fn texels_of_a_point_light_grow_with_the_distance() {
 fn a_lamp_in_a_box_has_depth_as_fine_as_its_texels_and_begins_where_only_the_lamp_is() {
     let camera = straight_camera();
     let settings = Settings { depth: DepthFormat::U16, ..Settings::default() };
-    for (half_side, range) in [(3.0f32, f32::INFINITY), (25.0, 25.0), (5000.0, f32::INFINITY), (5000.0, 20.0)] {
+    for (half_side, range) in [(3.0f32, f32::INFINITY), (25.0, 25.0), (5000.0, f32::INFINITY), (5000.0, 20.0)]
+    {
         let bounds = Bounds::of_world(Vec3::splat(-half_side), Vec3::splat(half_side));
         let light = Light::point(Vec3::ZERO, range).unwrap();
         let plan = plan(&camera, &[light], &bounds, &settings).unwrap();

@@ -73,6 +73,7 @@ impl Levels {
                 let row = self.rows.len() as u32;
                 self.rows.push(PartRow {
                     geometry: Geometry::Levels,
+                    closed: level.closed,
                     indices: part.indices.start + levels.first_index..part.indices.end + levels.first_index,
                     base_vertex: (levels.first_vertex + part.first_vertex) as i32,
                     local: part.bounds,

@@ -10,6 +10,8 @@ use crate::cover::Cover;
 pub struct Draw {
     /// The buffers that it reads.
     pub geometry: Geometry,
+    /// Whether it is of what is closed, whose backs a sun never meets first.
+    pub closed: bool,
     /// The range of the index buffer.
     pub indices: Range<u32>,
     /// The number that is added to every index.

@@ -52,6 +52,6 @@ fn may_join(last: &Draw, part: &PartRow) -> bool {
     last.indices.end == part.indices.start
         && last.base_vertex == part.base_vertex
         && last.cover == part.cover
-        && last.geometry == part.geometry
+        && (last.geometry, last.closed) == (part.geometry, part.closed)
         && (part.cover == Cover::Solid || last.material == part.material)
 }

@@ -13,6 +13,8 @@ use crate::shapes::Shapes;
 #[derive(Clone, Debug)]
 pub(super) struct PartRow {
     pub geometry: Geometry,
+    /// Whether it is of what is closed, whose backs a sun never meets first.
+    pub closed: bool,
     pub indices: Range<u32>,
     pub base_vertex: i32,
     pub material: u32,
@@ -45,6 +47,7 @@ impl PartRow {
     pub fn draw(&self, instances: Range<u32>) -> Draw {
         Draw {
             geometry: self.geometry,
+            closed: self.closed,
             indices: self.indices.clone(),
             base_vertex: self.base_vertex,
             material: self.material,
@@ -123,6 +126,7 @@ impl Source<'_> {
         let casts = instances_cast && material.is_none_or(|material| material.casts);
         PartRow {
             geometry: Geometry::Meshes,
+            closed: false,
             indices: part.indices.start + self.first_index..part.indices.end + self.first_index,
             base_vertex: self.base_vertex,
             material: part.material as u32,

@@ -1,7 +1,9 @@
 //! The pass that draws a scene's casters into a shadow view: pipelines for each cover that surfaces have, and for instances
 //! that mirror their mesh.
 
-use umbrage::{CasterPipeline, CasterStage, ShadowView, Shadows, caster_wgsl, second_caster_wgsl};
+use umbrage::{
+    CasterFaces, CasterPipeline, CasterStage, ShadowView, Shadows, caster_wgsl, second_caster_wgsl,
+};
 
 use crate::caster_geometry::CasterGeometry;
 use crate::cover::Cover;
@@ -24,8 +26,18 @@ pub(crate) struct Casters {
     instances: wgpu::BindGroup,
 }
 
-/// Pipelines by cover, each for instances as they are, and for those that mirror their mesh, which turns its winding over.
-type Pipelines = Vec<(Cover, [wgpu::RenderPipeline; 2])>;
+/// Pipelines by what they draw.
+type Pipelines = Vec<(Kind, ByMirroring)>;
+
+/// One for instances as they are, and one for those that mirror their mesh, which turns its winding over.
+type ByMirroring = [wgpu::RenderPipeline; 2];
+
+/// What a pipeline draws: a cover, all faces of it or those that face the light, where the others need not be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Kind {
+    cover: Cover,
+    front_only: bool,
+}
 
 /// Which surface a pass draws, of those that the light meets.
 #[derive(Clone, Copy, Debug)]
@@ -63,16 +75,19 @@ impl Casters {
         let layout = gpu.layout("Casters::layout", types);
         let instances = [scene.placement.buffer.as_entire_binding()];
         let instances = gpu.bind_group("Casters::instances", &layout, instances);
-        let pipelines = |library: &str, make: &Make<'_>| pipelines(gpu, scene, &layout, library, make);
+        // Where all faces cast, those of what is closed that face the light are met first.
+        let fronts = shadows.settings().bias.casters == CasterFaces::Both;
+        let (first, second) = ((caster_wgsl(0), fronts), (second_caster_wgsl(0), false));
+        let pipelines = |(library, fronts): &(String, bool), make: &Make<'_>| {
+            pipelines(gpu, scene, &layout, (library, *fronts), make)
+        };
         let device = &gpu.device;
         Self {
-            first: pipelines(&caster_wgsl(0), &|caster| Some(shadows.caster_pipeline(device, caster)))
+            first: pipelines(&first, &|caster| Some(shadows.caster_pipeline(device, caster)))
                 .unwrap_or_default(),
-            clipping: pipelines(&caster_wgsl(0), &|caster| shadows.clipping_caster_pipeline(device, caster)),
-            second: pipelines(&second_caster_wgsl(0), &|caster| {
-                shadows.second_caster_pipeline(device, caster)
-            }),
-            clipping_second: pipelines(&second_caster_wgsl(0), &|caster| {
+            clipping: pipelines(&first, &|caster| shadows.clipping_caster_pipeline(device, caster)),
+            second: pipelines(&second, &|caster| shadows.second_caster_pipeline(device, caster)),
+            clipping_second: pipelines(&second, &|caster| {
                 shadows.clipping_second_caster_pipeline(device, caster)
             }),
             instances,
@@ -102,13 +117,14 @@ impl Casters {
         let Some(pipelines) = pipelines else { return };
         pass.set_bind_group(1, &self.instances, &[]);
         let (mut set, mut buffers, mut material) = (None, None, None);
+        let is_outside = is_outside(view);
         for draw in draws.into_iter().flatten() {
             let is_solid = draw.cover == Cover::Solid;
-            if set != Some((draw.cover, draw.mirrored)) {
-                let found = pipelines.iter().find(|(cover, _)| *cover == draw.cover);
-                let Some((_, by_mirroring)) = found else { continue };
+            let kind = Kind { cover: draw.cover, front_only: draw.closed && is_outside };
+            if set != Some((kind, draw.mirrored)) {
+                let Some(by_mirroring) = found(pipelines, kind) else { continue };
                 pass.set_pipeline(&by_mirroring[usize::from(draw.mirrored)]);
-                set = Some((draw.cover, draw.mirrored));
+                set = Some((kind, draw.mirrored));
             }
             if buffers != Some((draw.geometry, is_solid)) {
                 if !vertices.bind(pass, draw.geometry, is_solid) {
@@ -125,21 +141,35 @@ impl Casters {
     }
 }
 
+/// Whether light comes into a view from outside all that is closed, and no warp turns triangles over: where it is even, and a
+/// sun's.
+fn is_outside(view: &ShadowView) -> bool {
+    view.clip_from_world.row(3) == glam::DVec4::W
+}
+
+/// The pipelines of a kind; those that draw all faces where no others are made.
+fn found(pipelines: &Pipelines, wanted: Kind) -> Option<&ByMirroring> {
+    let of = |wanted: Kind| pipelines.iter().find(|(kind, _)| *kind == wanted).map(|(_, found)| found);
+    of(wanted).or_else(|| of(Kind { front_only: false, ..wanted }))
+}
+
 /// Makes a pipeline of one kind, where there is that kind.
 type Make<'a> = dyn Fn(&CasterPipeline<'_>) -> Option<wgpu::RenderPipeline> + 'a;
 
-/// Pipelines of one kind for all covers of a scene, behind the library's text.
+/// Pipelines of one kind for all covers of a scene, behind the library's text; also for those faces alone that face the light,
+/// where that is asked for.
 fn pipelines(
     gpu: &Gpu,
     scene: &SceneBuffers,
     instances: &wgpu::BindGroupLayout,
-    library: &str,
+    (library, fronts): (&str, bool),
     make: &Make<'_>,
 ) -> Option<Pipelines> {
     let [positions, numbers, attributes] = RECEIVER_BUFFERS;
     let surfaces = [positions, numbers, attributes, Some(scene.colours.stream.clone())];
     let groups = [instances, &scene.materials.layout];
-    let one = |cover: &Cover| {
+    let one = |kind: Kind| {
+        let cover = &kind.cover;
         let module = gpu.module("Casters::module", shaders::casters(library, *cover));
         let solid = CasterPipeline {
             buffers: &CASTER_BUFFERS,
@@ -153,6 +183,7 @@ fn pipelines(
             ..CasterPipeline::new(&module, "cut_caster")
         };
         let caster = match cover {
+            Cover::Solid if kind.front_only => CasterPipeline { faces: Some(CasterFaces::Front), ..solid },
             Cover::Solid => solid,
             Cover::Cut => cut("cut_out"),
             Cover::Veil => cut("dither"),
@@ -160,7 +191,11 @@ fn pipelines(
         let [plain, mirrored] = [wgpu::FrontFace::Ccw, wgpu::FrontFace::Cw].map(|front_face| {
             make(&CasterPipeline { front_face, ..caster.clone() }).map(|made| gpu.counted(made))
         });
-        Some((*cover, [plain?, mirrored?]))
+        Some((kind, [plain?, mirrored?]))
     };
-    scene.covers.iter().map(one).collect()
+    let kinds = scene.covers.iter().flat_map(|cover| {
+        let fronts = (fronts && *cover == Cover::Solid).then_some(true);
+        std::iter::once(false).chain(fronts).map(|front_only| Kind { cover: *cover, front_only })
+    });
+    kinds.map(one).collect()
 }

@@ -3,6 +3,7 @@
 //! Vertices lie in pages of at most 65,536. A part's are all in one page, whose first vertex its indices count from; what
 //! parts of two pages share is there twice. Most meshes have one page for all levels.
 
+use super::closed::is_closed;
 use super::welded::Welded;
 use super::{CasterLevel, CasterMesh, CasterPart, Coarser, Piece};
 
@@ -38,8 +39,10 @@ struct Packer<'a> {
 
 impl Packer<'_> {
     fn add_level(&mut self, error: f32, pieces: &[Piece]) {
+        let triangles: Vec<[u32; 3]> = pieces.iter().flat_map(|piece| &piece.triangles).copied().collect();
+        let closed = is_closed(self.positions, &triangles);
         let parts = pieces.iter().map(|piece| self.add_piece(piece)).collect();
-        self.packed.levels.push(CasterLevel { error, parts });
+        self.packed.levels.push(CasterLevel { error, closed, parts });
     }
 
     fn add_piece(&mut self, piece: &Piece) -> CasterPart {

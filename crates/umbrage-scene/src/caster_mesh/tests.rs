@@ -122,6 +122,29 @@ fn border(mesh: &Mesh) -> Vec<[u32; 3]> {
 }
 
 #[test]
+fn what_encloses_something_and_faces_outward_is_closed_in_all_levels() {
+    let closed = |mesh: &Mesh| {
+        let levels = CasterMesh::with_levels(mesh, |_| true).levels;
+        levels.iter().map(|level| level.closed).collect::<Vec<_>>()
+    };
+    let whole = closed(&ball(64));
+    assert!(whole.len() > 2 && whole.iter().all(|closed| *closed), "{whole:?}");
+    let mut open = ball(64);
+    open.indices.drain(300..303);
+    open.parts.iter_mut().for_each(|part| part.indices.end = part.indices.end.min(open.indices.len() as u32));
+    assert!(!closed(&open)[0], "a triangle is missing");
+    let mut inside_out = ball(64);
+    inside_out.indices.as_chunks_mut::<3>().0.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+    assert!(closed(&inside_out).iter().all(|closed| !closed), "it faces inward");
+    let far = sphere(1.0, 16, 8).bent(|p: Vec3| p + Vec3::X * 5.0).painted(0);
+    let near = sphere(1.0, 16, 8).painted(0);
+    assert!(closed(&Mesh::new("two", &[near.clone(), far.clone()]))[0], "two are as one");
+    let mut turned = far;
+    turned.indices.as_chunks_mut::<3>().0.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+    assert!(!closed(&Mesh::new("two", &[near, turned]))[0], "one of them faces inward");
+}
+
+#[test]
 fn a_mesh_of_more_vertices_than_16_bits_tell_apart_has_pages() {
     let mesh = Mesh::new("land", &Ground::new(300.0, 180_000, |at| at.x.sin()).primitives(0, 1.0));
     let full = CasterMesh::full(&mesh, |_| true);
