@@ -110,7 +110,7 @@ impl PartTable {
         }
     }
 
-    /// Says whether plans are made for the [reach](Reach) of what moves, as they are unless this is off, or for where it is: then
+    /// Says whether plans are made for the room that what moves takes, as they are unless this is off, or for where it is: then
     /// a plan does not depend on the poses before, and changes with each.
     pub fn hold_reaches(&mut self, on: bool) {
         self.holds_reaches = on;
