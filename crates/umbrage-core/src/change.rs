@@ -55,9 +55,9 @@ pub struct ReceiverKey {
     pub filter: &'static str,
     /// The numbers that the text is compiled with.
     pub numbers: Vec<ShaderNumber>,
-    /// How many mip levels of moments there are to choose from; 0 where there are no moments.
+    /// The number of mip levels of moments that there are to choose from; 0 where there are no moments.
     pub mip_levels: u32,
-    /// How a receiver finds its view.
+    /// The rule by which a receiver finds its view.
     pub select: Select,
     /// Whether a view is blended with the next.
     pub blends: bool,
@@ -88,7 +88,7 @@ struct PlanKey<'a> {
     warp: Warp,
     select: Select,
     blend: f32,
-    /// How far lookups reach: of the filter, of the receiver's plane, of the offset along the normal.
+    /// The reach of lookups: of the filter, of the receiver's plane, of the offset along the normal.
     reach_texels: [f32; 3],
     bias: PlanBias,
     receiver_plane: bool,

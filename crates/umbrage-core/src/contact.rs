@@ -12,13 +12,13 @@ use crate::schema::values::{POSITIVE, Values};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Contact {
-    /// How far is looked toward the light, more than 0 and at most 100 metres. What casts from farther away is the maps'
+    /// The march toward the light is so long, more than 0 and at most 100 metres. What casts from farther away is the maps'
     /// business. The default is 0.3.
     pub length: f32,
     /// The number of steps that it is looked in, from 1 to 64 steps. What is thinner on screen than a step may be missed. The
     /// default is 16.
     pub steps: u32,
-    /// How deep things are taken to be behind what the camera sees of them, more than 0 and at most 100 metres. The default
+    /// Things are taken to be so deep behind what the camera sees of them, more than 0 and at most 100 metres. The default
     /// is 0.1.
     pub thickness: f32,
 }

@@ -197,7 +197,7 @@ mod tests {
             self.faces.iter().map(|face| area_vector(face).dot(face[0] - apex) / 3.0).sum()
         }
 
-        /// How many distinct corners there are.
+        /// Returns the number of distinct corners.
         fn corner_count(&self) -> usize {
             let mut seen: Vec<DVec3> = Vec::new();
             for corner in self.corners() {

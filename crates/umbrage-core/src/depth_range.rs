@@ -1,4 +1,4 @@
-//! How deep a view's map is along the light's axis.
+//! The depths along the light's axis at which a view's map begins and ends.
 //!
 //! Distances along the axis are metres, from the world's origin for a sun and else from the apex.
 
@@ -43,7 +43,7 @@ impl DepthRange {
     }
 }
 
-/// How far a map must begin and end from its receivers, metres: casters that are flattened onto the near plane must stay
+/// Returns how far a map must begin and end from its receivers, metres: casters that are flattened onto the near plane must stay
 /// before every receiver, whatever its bias.
 pub(crate) fn margin(input: &ViewInput<'_>, texel_metres: f64, receivers: &Range<f64>) -> f64 {
     input.reach.toward_light_metres(texel_metres)

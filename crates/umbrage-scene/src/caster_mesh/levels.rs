@@ -26,7 +26,7 @@ const SMALLEST_ERROR: f32 = 1e-5;
 const LARGEST_ERROR: f32 = 0.25;
 /// A vertex that lies farther from a level than so many times the simplifier's error sticks out.
 const STICKS_OUT: f32 = 2.0;
-/// How often a patch is simplified at most: what sticks out grows fewer each time.
+/// A patch is simplified so often at most: what sticks out grows fewer each time.
 const TURNS: usize = 8;
 /// The triangles of a patch, whose border stays: so many that borders are few, and so few that simplifying one again is quick.
 const PATCH: usize = 1 << 14;
