@@ -1,0 +1,24 @@
+//! The families of shadows beside maps, by name.
+
+use umbrage_render::Gpu;
+use umbrage_scene::Scene;
+
+use crate::error::RivalError;
+use crate::rival::Rival;
+
+/// A family of shadows beside maps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
+#[non_exhaustive]
+pub enum Family {}
+
+impl Family {
+    /// Makes the family ready for a scene.
+    ///
+    /// # Errors
+    /// When something that it needs exceeds the device's limits.
+    pub fn ready(self, _gpu: &Gpu, _scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
+        match self {}
+    }
+}

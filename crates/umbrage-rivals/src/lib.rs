@@ -1,0 +1,18 @@
+//! Other families of shadows than maps, drawn of the same scenes, so that the same judge can say how wrong they are.
+//!
+//! A [`Family`] is made ready for a scene once, which may take long; the [`Rival`] that comes of it answers a [`View`] with the
+//! visibility of every pixel. No family can do everything: what it cannot cast is named as [`Left`], and pixels that it knows
+//! nothing of are `None`, so that maps can do the rest.
+//!
+//! | family | what it is |
+//! |---|---|
+//!
+//! This crate does not: make a shadow map or know a setting of one, judge, or write files.
+
+mod error;
+mod family;
+mod rival;
+
+pub use error::RivalError;
+pub use family::Family;
+pub use rival::{Left, Rival, Seen, View};

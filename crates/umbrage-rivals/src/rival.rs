@@ -1,0 +1,55 @@
+//! What every family of shadows answers, whatever it does for it.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use umbrage_scene::{Camera, Light, Pose};
+
+use crate::error::RivalError;
+
+/// A view is a picture whose shadows are asked for.
+#[derive(Clone, Debug)]
+pub struct View<'a> {
+    /// The camera.
+    pub camera: &'a Camera,
+    /// The lights whose shadows are asked for.
+    pub lights: &'a [Light],
+    /// How the scene stands.
+    pub pose: &'a Arc<Pose>,
+    /// The width and height of the picture, in pixels.
+    pub size: [u32; 2],
+}
+
+/// What a rival says of a view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// The visibility of every pixel, 0 to 1, rows from top to bottom, one list for each light; `None` where the family knows
+    /// nothing of what the pixel shows. The sky is lit.
+    pub visibility: Vec<Vec<Option<f32>>>,
+    /// The time that a picture's shadows took, in milliseconds: on the device where it has timestamps.
+    pub milliseconds: f64,
+}
+
+/// A caster that a family cannot draw.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Left {
+    /// The number of the instance in the scene.
+    pub instance: usize,
+    /// Why it is left, as the end of a sentence: "its mesh is open".
+    pub why: String,
+}
+
+/// A rival is a family of shadows, ready for one scene.
+pub trait Rival: Debug {
+    /// The casters that the family cannot draw; their shadows are missing in what it says.
+    fn left(&self) -> &[Left];
+
+    /// The bytes that the family holds on the device and beside it for this scene, at most so far.
+    fn bytes(&self) -> u64;
+
+    /// Finds the visibility of a view's pixels.
+    ///
+    /// # Errors
+    /// When the camera or a light cannot be used, or the device fails.
+    fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError>;
+}
