@@ -1,13 +1,36 @@
 //! What settings do not suit a world, and what would: a line on stderr, and the work goes on.
 
-use umbrage::{CasterFaces, Settings};
+use umbrage::{CasterFaces, Fit, LightBox, Settings};
 use umbrage_scene::Scene;
 
-/// Warns where back faces cast and some meshes have none behind their front.
-pub fn warn_of_open_casters(scene: &Scene, settings: &Settings) {
-    if let Some(advice) = open_casters(scene, settings) {
+/// Warns of what does not suit the world: back faces that cast where some meshes have none behind their front, and a light
+/// box that holds nothing of it.
+pub fn warn(scene: &Scene, settings: &Settings) {
+    for advice in [open_casters(scene, settings), light_box(scene, settings)].into_iter().flatten() {
         eprintln!("warning: {advice}");
     }
+}
+
+fn light_box(scene: &Scene, settings: &Settings) -> Option<String> {
+    let light_box = settings.light_box?;
+    if settings.fit != Fit::World {
+        return Some(
+            "a `light_box` is read under `--set fit=world` alone, and this fit makes its own".to_owned(),
+        );
+    }
+    let world = scene.bounds_in(&scene.pose(0.0));
+    let LightBox { x, y, z, half_width, half_height, near, depth_range } = light_box;
+    let (centre, deep) = (glam::Vec3::new(x, y, z), near.abs().max((near + depth_range).abs()));
+    let reach = glam::Vec3::new(half_width, half_height, deep).length();
+    let nearest = centre.clamp(world.min, world.max);
+    let misses = world.is_empty() || centre.distance(nearest) > reach;
+    misses.then(|| {
+        let middle = world.centre();
+        format!(
+            "the light box about ({x}, {y}, {z}) m holds nothing of the world, and all of it is lit; the world's middle is ({}, {}, {}) m",
+            middle.x, middle.y, middle.z
+        )
+    })
 }
 
 fn open_casters(scene: &Scene, settings: &Settings) -> Option<String> {
@@ -40,6 +63,19 @@ mod tests {
         let text = advice(CasterFaces::Back).unwrap();
         assert!(text.starts_with("3 of 18 meshes are open (`ground` …)") && !text.contains('\n'), "{text}");
         assert!(text.contains("bias.casters=both"), "{text}");
+    }
+
+    #[test]
+    fn a_light_box_that_misses_the_world_or_is_not_read_is_warned_of() {
+        let scene = worlds::build("bias-court", 0).unwrap();
+        let advice = |fit, x| {
+            let given = Some(LightBox { x, ..LightBox::default() });
+            light_box(&scene, &Settings { fit, light_box: given, ..Settings::default() })
+        };
+        assert_eq!(advice(Fit::World, 0.0), None);
+        let text = advice(Fit::World, 1e4).unwrap();
+        assert!(text.starts_with("the light box about (10000, 0, 0) m holds nothing of the world"), "{text}");
+        assert!(advice(Fit::Scene, 0.0).unwrap().contains("fit=world"));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::bias::CompareDepth;
 use crate::contact::Contact;
 use crate::filter::{LightSize, ShaderNumber, Stored};
 use crate::fit::Fit;
+use crate::light_box::LightBox;
 use crate::schema::cost::Cost;
 use crate::settings::bias::{BiasNumbers, FrameBias, PlanBias};
 use crate::settings::{
@@ -82,6 +83,7 @@ struct PlanKey<'a> {
     depth: DepthFormat,
     storage: Storage,
     fit: Fit,
+    light_box: Option<LightBox>,
     flattens: bool,
     transparent_casters: TransparentCasters,
     caster_error: f32,
@@ -190,6 +192,7 @@ impl Settings {
             depth,
             storage,
             fit,
+            light_box,
             transparent_casters,
             caster_error,
             unclipped_depth: _, // with the filter, it says whether casters are flattened
@@ -225,6 +228,7 @@ impl Settings {
                 depth,
                 storage,
                 fit,
+                light_box,
                 flattens,
                 transparent_casters,
                 caster_error,

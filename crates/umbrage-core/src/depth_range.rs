@@ -7,6 +7,7 @@ use std::ops::Range;
 use crate::light_frustum::LightFrustum;
 use crate::receivers::ViewInput;
 use crate::space::LightSpace;
+use crate::stabilise::quantise_up;
 
 /// The depths of a region, from where its map begins to where it ends.
 #[derive(Clone, Debug)]
@@ -49,6 +50,15 @@ pub(crate) fn margin(input: &ViewInput<'_>, texel_metres: f64, receivers: &Range
     input.reach.toward_light_metres(texel_metres)
         + input.min_size()
         + 1e-3 * (receivers.end - receivers.start)
+}
+
+/// Where the world begins and ends along the light's axis with a margin, in whole steps of its size: things that move a little
+/// leave it alone.
+pub(crate) fn in_steps(input: &ViewInput<'_>, space: &LightSpace, texel_metres: f64) -> Range<f64> {
+    let world = of_world(input, space);
+    let margin = margin(input, texel_metres, &(0.0..0.0));
+    let step = quantise_up(world.end - world.start + 2.0 * margin) / 16.0;
+    ((world.start - margin) / step).floor() * step..((world.end + margin) / step).ceil() * step
 }
 
 /// Where the world begins and ends along the light's axis.

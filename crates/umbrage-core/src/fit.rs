@@ -10,6 +10,7 @@ mod scene;
 mod stable;
 mod view;
 mod visible_receivers;
+mod world;
 
 use crate::casters::CasterPolicy;
 use crate::light_frustum::LightFrustum;
@@ -36,6 +37,10 @@ pub enum Fit {
     /// It grows at once, and shrinks late and by steps, so that edges hold still for a while. Spots and point lights are fitted as
     /// by [`Fit::Scene`].
     Sample,
+    /// The map of a sun is fitted to the box of the whole world, or to [`LightBox`](crate::LightBox) where the settings have one;
+    /// that of a spot to its whole cone. It does not depend on the camera: the plain shadow map (Williams 1978), which need not
+    /// be drawn again while the world and its lights stand.
+    World,
 }
 
 /// The fits, as the schema lists them.
@@ -66,6 +71,13 @@ pub(crate) const FITS: &[Choice] = &[
                where much of it is hidden. Needs the camera's depth before shadows are drawn; for suns.",
         source: "Lauritzen et al. 2011",
     },
+    Choice {
+        name: "world",
+        label: "world",
+        help: "The box of the whole world, or the `light_box` that is given; for a spot, its whole cone. \
+               It is drawn once while nothing moves, and in a large world its texels are huge. One split is enough.",
+        source: "Williams 1978; Ferko 2010, listing 4.4; opengl-tutorial 16",
+    },
 ];
 
 impl Fit {
@@ -77,7 +89,7 @@ impl Fit {
         outline: &'a mut Outline,
     ) -> (Region<'a>, CasterPolicy) {
         match (&input.light_frustum, self) {
-            (LightFrustum::FromApex(pyramid), Self::Stable) => {
+            (LightFrustum::FromApex(pyramid), Self::Stable | Self::World) => {
                 light_extent::region(input, pyramid, receivers, Depths::OfLight)
             }
             // Faces must meet, and of a cone that nobody sees nothing else is known.
@@ -87,6 +99,7 @@ impl Fit {
                 light_extent::region(input, pyramid, receivers, Depths::OfReceivers)
             }
             (LightFrustum::Parallel(_), Self::Stable) => stable::region(input, receivers),
+            (LightFrustum::Parallel(_), Self::World) => world::region(input, receivers),
             (LightFrustum::Parallel(_), Self::Sample) => scene::region_in_steps(input, receivers, outline),
             (_, Self::Scene | Self::Sample) => scene::region(input, receivers, outline),
             (_, Self::View) => view::region(input, &receivers.lit_slice, &receivers.body, outline),

@@ -272,6 +272,7 @@ impl<'a> Frame<'a> {
             flattens_casters,
             has_bulb: false,
             asked,
+            light_box: settings.light_box,
         }
     }
 

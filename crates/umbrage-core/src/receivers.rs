@@ -7,6 +7,7 @@ use glam::DVec4;
 use crate::bounds::Bounds;
 use crate::camera::Camera;
 use crate::convex::ConvexBody;
+use crate::light_box::LightBox;
 use crate::light_frustum::LightFrustum;
 use crate::reach::Reach;
 
@@ -27,6 +28,8 @@ pub(crate) struct ViewInput<'a> {
     /// The view depths of all receivers that may look here, metres. They are more than the slice's where a receiver asks the
     /// finest map that covers it, whatever its slice.
     pub asked: Asked,
+    /// The box that the map of a sun holds, where it is given by hand.
+    pub light_box: Option<LightBox>,
 }
 
 /// Which receivers may look into a view.

@@ -28,8 +28,8 @@ pub(crate) struct Region<'a> {
 pub(crate) enum Area<'a> {
     /// The outline of its receivers. The map may be warped and rotated to suit it, and is padded.
     Outline(ReceiverOutline<'a>),
-    /// A square whose texels lie where the fit says: it is neither warped nor rotated, and padded already.
-    Square(Rectangle),
+    /// A rectangle whose texels lie where the fit says: it is neither warped nor rotated, and padded already.
+    Fixed(Rectangle),
 }
 
 /// The outline of what is seen of a slice, from the light, and where its receivers lie to the eye.
@@ -49,7 +49,7 @@ impl Region<'_> {
     pub fn rectangle(&self, input: &ViewInput<'_>, homography: &Homography) -> Rectangle {
         let corners = match &self.area {
             Area::Outline(outline) => outline.corners,
-            Area::Square(square) => return *square,
+            Area::Fixed(rectangle) => return *rectangle,
         };
         let (min, max) = corners
             .iter()
@@ -68,7 +68,7 @@ impl Region<'_> {
     pub fn map_space(&self, homography: &Homography) -> LightSpace {
         match self.area {
             Area::Outline(_) => self.space.rotated(homography.right),
-            Area::Square(_) => self.space,
+            Area::Fixed(_) => self.space,
         }
     }
 }

@@ -17,7 +17,7 @@ pub(crate) mod values;
 
 use self::kind::Kind;
 use crate::settings::{Settings, bias, maps, shade, splits};
-use crate::{contact, filter};
+use crate::{contact, filter, light_box};
 
 pub use cost::Cost;
 pub use group::Group;
@@ -27,7 +27,7 @@ pub use values::{Choice, Values};
 
 /// The whole table, group after group. A name with several ranges comes several times, each for other kinds.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    let before = [splits::KEYS, maps::KEYS, &[filter::KIND]].into_iter().flatten();
+    let before = [splits::KEYS, maps::KEYS, light_box::KEYS, &[filter::KIND]].into_iter().flatten();
     let between = [bias::KEYS, contact::KEYS, &[shade::KIND]].into_iter().flatten();
     before.chain(keys_of_kinds(filter::KINDS)).chain(between).chain(keys_of_kinds(shade::KINDS))
 }
@@ -46,11 +46,17 @@ pub fn key(name: &str) -> Option<&'static Key> {
 
 /// The rows of what these settings hold or may be given, each name once.
 pub fn keys_of(settings: &Settings) -> impl Iterator<Item = &'static Key> {
-    let before = [splits::KEYS, maps::KEYS, &[filter::KIND], settings.filter.keys(), bias::KEYS];
-    let has_contact = settings.contact.is_some();
-    let contact = contact::KEYS.iter().filter(move |key| has_contact || key.values == Values::Table);
-    let shade = [&[shade::KIND], settings.shade.keys()];
-    before.into_iter().flatten().chain(contact).chain(shade.into_iter().flatten())
+    let before = [splits::KEYS, maps::KEYS].into_iter().flatten();
+    let light_box = keys_of_table(light_box::KEYS, settings.light_box.is_some());
+    let between = [&[filter::KIND], settings.filter.keys(), bias::KEYS].into_iter().flatten();
+    let contact = keys_of_table(contact::KEYS, settings.contact.is_some());
+    let shade = [&[shade::KIND], settings.shade.keys()].into_iter().flatten();
+    before.chain(light_box).chain(between).chain(contact).chain(shade)
+}
+
+/// The rows of a table that may be left out: what it holds only where it is there.
+fn keys_of_table(keys: &'static [Key], is_there: bool) -> impl Iterator<Item = &'static Key> {
+    keys.iter().filter(move |key| is_there || key.values == Values::Table)
 }
 
 impl Key {

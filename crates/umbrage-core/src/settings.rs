@@ -11,6 +11,7 @@ use crate::contact::Contact;
 use crate::error::SettingsError;
 use crate::filter::Filter;
 use crate::fit::Fit;
+use crate::light_box::LightBox;
 use crate::warp::Warp;
 
 pub use bias::{Bias, CasterFaces, DepthLayer};
@@ -54,6 +55,9 @@ pub struct Settings {
     pub storage: Storage,
     /// What a view's box is fitted to. The default is [`Fit::Scene`].
     pub fit: Fit,
+    /// What the map of a sun holds under [`Fit::World`]; `None`, the default, is the box of the whole world.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub light_box: Option<LightBox>,
     /// Whether casters between the light and a view's box are flattened onto its near plane. Where not, the near plane
     /// is moved toward the light instead, and depth is coarser. The default is true.
     pub unclipped_depth: bool,
@@ -96,6 +100,7 @@ impl Default for Settings {
             depth: DepthFormat::U16, // twice the texels leave a fifth less error: docs/decisions/0041
             storage: Storage::Array,
             fit: Fit::Scene,
+            light_box: None,
             unclipped_depth: true,
             transparent_casters: TransparentCasters::Dither, // the only one that lets through what the caster does
             caster_error: 0.25,                              // a map cannot tell: docs/decisions/0037
@@ -134,6 +139,7 @@ impl Settings {
             depth: _,
             storage: _,
             fit,
+            light_box,
             unclipped_depth: _,
             transparent_casters: _,
             caster_error,
@@ -154,13 +160,13 @@ impl Settings {
         splits::DISTANCE.check_given(*distance)?;
         splits::NEAR.check_given(*near)?;
         check_resolution(*resolution)?;
-        if *fit == Fit::Stable && *warp != Warp::None {
-            return Err(SettingsError::Conflict {
-                this: "`fit = \"stable\"`",
-                other: "a `warp`",
-                why: "a warp follows the camera, and a stable map does not",
-            });
+        for (still, this) in [(Fit::Stable, "`fit = \"stable\"`"), (Fit::World, "`fit = \"world\"`")] {
+            if *fit == still && *warp != Warp::None {
+                let why = "a warp follows the camera, and such a map does not";
+                return Err(SettingsError::Conflict { this, other: "a `warp`", why });
+            }
         }
+        light_box.as_ref().map_or(Ok(()), LightBox::validate)?;
         if *fit == Fit::Sample && *warp != Warp::None {
             return Err(SettingsError::Conflict {
                 this: "`fit = \"sample\"`",
@@ -243,7 +249,7 @@ mod tests {
         let text = settings.validate().map_err(|error| error.to_string());
         assert_eq!(
             text,
-            Err("`fit = \"stable\"` excludes a `warp`, since a warp follows the camera, and a stable map does not; change one of them".to_owned())
+            Err("`fit = \"stable\"` excludes a `warp`, since a warp follows the camera, and such a map does not; change one of them".to_owned())
         );
     }
 

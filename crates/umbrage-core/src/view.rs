@@ -101,7 +101,8 @@ impl ShadowView {
     /// lattice begins at the world's origin for a sun, and on the axis of a punctual light.
     ///
     /// Where the camera moves a map by whole texels, or not at all, a place of the world stays in the same texel of the lattice:
-    /// of suns under [`Fit::Stable`](crate::Fit::Stable), of spots likewise, and of a point light's faces under every fit.
+    /// of suns and spots under [`Fit::Stable`](crate::Fit::Stable) and [`Fit::World`](crate::Fit::World), and of a point light's
+    /// faces under every fit.
     pub fn lattice(&self) -> [u32; 2] {
         let m = self.clip_from_world;
         let begin = match self.rays {

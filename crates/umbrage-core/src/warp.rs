@@ -64,7 +64,7 @@ impl Warp {
     /// What is done to the map's plane of a region: the warp, or where even texels are best the region's own rotation.
     pub(crate) fn homography(self, input: &ViewInput<'_>, region: &Region<'_>) -> Homography {
         match &region.area {
-            Area::Square(_) => Homography::IDENTITY,
+            Area::Fixed(_) => Homography::IDENTITY,
             Area::Outline(outline) => self
                 .perspective(&WarpInput::of(input, region, outline))
                 .unwrap_or_else(|| Homography::rotation(outline.rotation.right(outline.corners))),

@@ -11,10 +11,11 @@ mod punctual;
 #[path = "plan/steady.rs"]
 mod steady;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use umbrage_core::{
-    Aabb, Bounds, Camera, Fit, Light, PlanError, Projection, Select, Settings, Storage, plan, view_of,
+    Aabb, Bounds, Camera, Fit, Light, LightBox, PlanError, Projection, Select, Settings, Storage, plan,
+    view_of,
 };
 
 use any::{camera, direction, fit_and_warp, point_in, seen, share, world};
@@ -116,7 +117,7 @@ fn an_empty_world_and_a_camera_that_looks_away_get_finite_views_without_casters(
     let lights = [Light::directional(Vec3::NEG_Y).unwrap()];
     let behind = Bounds::of_world(Vec3::splat(10.0), Vec3::splat(20.0));
     let empty = Bounds::within(Aabb::EMPTY, Vec::new());
-    for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+    for fit in [Fit::Scene, Fit::View, Fit::Stable, Fit::World] {
         // Chosen by map, even an empty slice's view may be read.
         let settings = Settings { fit, select: Select::Depth, ..Settings::default() };
         for bounds in [&behind, &empty] {
@@ -127,6 +128,51 @@ fn an_empty_world_and_a_camera_that_looks_away_get_finite_views_without_casters(
             }
         }
     }
+}
+
+#[test]
+fn a_map_of_the_world_is_the_same_from_every_camera_and_holds_the_world() {
+    let settings = Settings { fit: Fit::World, splits: 1, select: Select::Depth, ..Settings::default() };
+    let light = Light::directional(Vec3::new(0.4, -1.0, 0.2)).unwrap();
+    let bounds = world();
+    let map_from = |eye: Vec3| {
+        let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+        let camera = Camera::looking(eye, Vec3::ZERO, Vec3::Y, projection, 1.0, 200.0).unwrap();
+        let plan = plan(&camera, &[light], &bounds, &settings).unwrap();
+        (plan.views()[0].clip_from_world, plan.views()[0].casters.planes().to_vec())
+    };
+    let (matrix, casters) = map_from(Vec3::new(0.0, 8.0, 60.0));
+    assert_eq!((matrix, casters), map_from(Vec3::new(-31.0, 20.0, 5.0)));
+    for corner in bounds.world().corners() {
+        let ndc = matrix.project_point3(corner.as_dvec3());
+        assert!(ndc.abs().truncate().max_element() <= 1.0 && (0.0..=1.0).contains(&ndc.z), "{corner}: {ndc}");
+    }
+}
+
+#[test]
+fn a_light_box_is_held_as_it_is_given() {
+    // The box of opengl-tutorial 16 about a point: 20 m wide and high, 30 m deep.
+    let light_box = LightBox { x: 3.0, y: 1.0, z: -2.0, ..LightBox::default() };
+    let settings = Settings {
+        fit: Fit::World,
+        light_box: Some(light_box),
+        splits: 1,
+        resolution: 1024,
+        ..Settings::default()
+    };
+    let light = Light::directional(-Vec3::new(0.5, 2.0, 2.0)).unwrap();
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.5 };
+    let eye = Vec3::new(0.0, 8.0, 60.0);
+    let camera = Camera::looking(eye, Vec3::ZERO, Vec3::Y, projection, 1.0, 200.0).unwrap();
+    let plan = plan(&camera, &[light], &world(), &settings).unwrap();
+    let view = &plan.views()[0];
+    assert!((view.texel_metres - 20.0 / 1024.0).abs() < 1e-6, "{}", view.texel_metres);
+    assert_eq!(view.depth_metres, 30.0);
+    let to_light = light.direction_from(Vec3::ZERO).as_dvec3();
+    let middle = view.clip_from_world.project_point3(Vec3::new(3.0, 1.0, -2.0).as_dvec3());
+    assert!((middle - DVec3::new(0.0, 0.0, 2.0 / 3.0)).length() < 1e-6, "{middle}");
+    let deepest = view.clip_from_world.project_point3(DVec3::new(3.0, 1.0, -2.0) - 20.0 * to_light);
+    assert!(deepest.z.abs() < 1e-6, "{deepest}");
 }
 
 #[test]
@@ -217,7 +263,7 @@ fn a_map_of_an_empty_slice_still_holds_the_casters_of_what_is_seen_in_it() {
         Camera::looking(eye, eye + Vec3::new(0.0, -1.0, -1.0), Vec3::Y, projection, 1.0, 1000.0).unwrap();
     let bounds = Bounds::of_world(Vec3::new(-900.0, 0.0, -900.0), Vec3::new(900.0, 20.0, 900.0));
     let lights = [Light::directional(Vec3::NEG_Y).unwrap()];
-    for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+    for fit in [Fit::Scene, Fit::View, Fit::Stable, Fit::World] {
         let settings = Settings { fit, select: Select::Map, ..Settings::default() };
         let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
         let first = &plan.views()[0];

@@ -66,14 +66,15 @@ pub use umbrage_core::{
     Aabb, Allocation, Bias, BiasMetres, Bounds, Camera, CameraError, CasterFaces, CasterKey, Change,
     ChosenRectangle, CompareDepth, Contact, ConvexBody, ConvexVolume, DepthFormat, DepthLayer, Disc, Esm,
     Evsm2, Evsm4, Exponent, Exponential, ExponentialVariance, Family, Filter, Fit, Footprint, FourMoments,
-    Light, LightError, LightKind, LightSize, Lookup, MAX_LIGHTS, MAX_SPLITS, MapLayout, MapTexels, MapsKey,
-    MomentPrecision, MomentTexel, Moments, Msm, NoiseSource, PICTURE_SIZE, PRESETS, Pcss, PerspectiveError,
-    Place, PlanError, Plane, Precision, Prefilter, Preset, Projection, Query, RASTER_STEP_TEXELS, Rays,
-    ReceiverKey, STEEPEST_PLANE, SampleRegion, Scheme, Select, Settings, SettingsError, Shade, ShaderNumber,
-    ShaderValue, ShadowPlan, ShadowView, SoftMoments, Splits, Storage, Stored, SummedVariance, TexelBasis,
-    TexelExtent, TexelPrecision, Tile, TransparentCasters, Turn, Variance, ViewKey, Vsm, Warp,
-    balanced_warp_near, ideal_storage_factor, kernel, largest_perspective_error, perspective_error,
-    perspective_texel_extent, plan, schema, split_distances, storage_factor, texel_extent, view_of,
+    Light, LightBox, LightError, LightKind, LightSize, Lookup, MAX_LIGHTS, MAX_SPLITS, MapLayout, MapTexels,
+    MapsKey, MomentPrecision, MomentTexel, Moments, Msm, NoiseSource, PICTURE_SIZE, PRESETS, Pcss,
+    PerspectiveError, Place, PlanError, Plane, Precision, Prefilter, Preset, Projection, Query,
+    RASTER_STEP_TEXELS, Rays, ReceiverKey, STEEPEST_PLANE, SampleRegion, Scheme, Select, Settings,
+    SettingsError, Shade, ShaderNumber, ShaderValue, ShadowPlan, ShadowView, SoftMoments, Splits, Storage,
+    Stored, SummedVariance, TexelBasis, TexelExtent, TexelPrecision, Tile, TransparentCasters, Turn,
+    Variance, ViewKey, Vsm, Warp, balanced_warp_near, ideal_storage_factor, kernel,
+    largest_perspective_error, perspective_error, perspective_texel_extent, plan, schema, split_distances,
+    storage_factor, texel_extent, view_of,
 };
 pub use {glam, umbrage_wgsl as shaders, wgpu};
 

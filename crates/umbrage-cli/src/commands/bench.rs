@@ -79,7 +79,7 @@ struct View {
 pub fn run(args: &BenchArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::open(&args.world)?;
-    advice::warn_of_open_casters(&scene, &settings);
+    advice::warn(&scene, &settings);
     let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;

@@ -47,7 +47,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let settings = settings::resolve(&args.shadows)?;
     check_outputs(args)?;
     let scene = world::open(&args.world)?;
-    advice::warn_of_open_casters(&scene, &settings);
+    advice::warn(&scene, &settings);
     let shot = world::shot(&args.world, &scene, SIZE)?;
     let foreign = args.pictures.as_deref().map(|folder| foreign(folder, &shot)).transpose()?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;

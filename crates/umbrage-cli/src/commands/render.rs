@@ -22,7 +22,7 @@ pub fn run(args: &RenderArgs) -> Outcome {
     }
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::open_with(&args.world, &args.look)?;
-    advice::warn_of_open_casters(&scene, &settings);
+    advice::warn(&scene, &settings);
     let show = match (args.no_shadows, args.splits) {
         (true, _) => Show::Unshadowed,
         (false, true) => Show::Marked(Mark::Splits),

@@ -41,7 +41,7 @@ pub(super) fn region<'a>(
         }
         Depths::OfReceivers | Depths::OfLight => DepthRange::OfMap(of_light()),
     };
-    let area = Area::Square(Rectangle { min, max, texel_metres });
+    let area = Area::Fixed(Rectangle { min, max, texel_metres });
     (Region { space, area, depths, receivers }, CasterPolicy::OverMap)
 }
 

@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::casters::CasterPolicy;
-use crate::depth_range::{DepthRange, margin, of_world};
+use crate::depth_range::{DepthRange, in_steps};
 use crate::receivers::{Receivers, ViewInput};
 use crate::rectangle::Rectangle;
 use crate::region::{Area, Region};
@@ -24,13 +24,9 @@ pub(super) fn region<'a>(input: &ViewInput<'_>, receivers: &'a Receivers) -> (Re
         let depths = input.camera.slice_corners(input.depths.clone()).map(|corner| space.to_light(corner).z);
         depths.into_iter().fold(f64::INFINITY, f64::min)..depths.into_iter().fold(f64::NEG_INFINITY, f64::max)
     } else {
-        let world = of_world(input, &space);
-        let margin = margin(input, texel_metres, &(0.0..0.0));
-        // Whole steps of the world's size, so that things that move a little leave the range alone.
-        let step = quantise_up(world.end - world.start + 2.0 * margin) / 16.0;
-        ((world.start - margin) / step).floor() * step..((world.end + margin) / step).ceil() * step
+        in_steps(input, &space, texel_metres)
     };
-    let area = Area::Square(Rectangle { min, max, texel_metres });
+    let area = Area::Fixed(Rectangle { min, max, texel_metres });
     let region = Region { space, area, depths: DepthRange::OfMap(metres), receivers: &receivers.body };
     (region, CasterPolicy::WholeWorld)
 }

@@ -202,6 +202,7 @@ mod tests {
             flattens_casters: true,
             has_bulb: false,
             asked: Asked::OwnSlice,
+            light_box: None,
         }
     }
 

@@ -8,20 +8,21 @@
 use super::preset::Preset;
 use crate::filter::{Disc, Filter};
 use crate::fit::Fit;
+use crate::light_box::LightBox;
 use crate::settings::{Bias, CasterFaces, DepthFormat, Scheme, Select, Settings, Storage};
 use crate::warp::Warp;
 
 /// The presets that come from others.
-pub(super) const PUBLISHED: [Preset; 17] = [
+pub(super) const PUBLISHED: [Preset; 18] = [
     Preset {
         name: "ferko-sm-1024",
-        source: "Ferko 2010, table 5.1: one map of 1024²",
-        settings: || ferko(1, 1024),
+        source: "Ferko 2010, table 5.1: one map of 1024² over the world",
+        settings: || of_the_world(ferko(1, 1024)),
     },
     Preset {
         name: "ferko-sm-2048",
-        source: "Ferko 2010, table 5.1: one map of 2048²",
-        settings: || ferko(1, 2048),
+        source: "Ferko 2010, table 5.1: one map of 2048² over the world",
+        settings: || of_the_world(ferko(1, 2048)),
     },
     Preset {
         name: "ferko-pssm-3x512",
@@ -55,23 +56,28 @@ pub(super) const PUBLISHED: [Preset; 17] = [
     },
     Preset {
         name: "zhang-pssm2-512",
-        source: "Zhang et al. 2006, table 1: PSSM(2; 512²)",
-        settings: || zhang(2, 512),
+        source: "Zhang et al. 2006, table 1: PSSM(2; 512²) with TSM inside",
+        settings: || Settings { warp: Warp::Tsm, ..zhang(2, 512) },
     },
     Preset {
         name: "zhang-pssm3-512",
-        source: "Zhang et al. 2006, table 1: PSSM(3; 512²)",
-        settings: || zhang(3, 512),
+        source: "Zhang et al. 2006, table 1: PSSM(3; 512²) with TSM inside",
+        settings: || Settings { warp: Warp::Tsm, ..zhang(3, 512) },
     },
     Preset {
         name: "zhang-pssm4-512",
-        source: "Zhang et al. 2006, table 1: PSSM(4; 512²)",
-        settings: || zhang(4, 512),
+        source: "Zhang et al. 2006, table 1: PSSM(4; 512²) with TSM inside",
+        settings: || Settings { warp: Warp::Tsm, ..zhang(4, 512) },
     },
     Preset {
         name: "tutorial-16",
-        source: "opengl-tutorial 16: one map of 1024², 16 bits, four stratified points, a bias by slope",
+        source: "opengl-tutorial 16: one map of 1024² over a box of 20 × 20 × 30 m, 16 bits, four stratified points, back faces cast, a bias by slope",
         settings: tutorial,
+    },
+    Preset {
+        name: "shao-2020",
+        source: "Shao's report: one map of 1024² over a box of 40 × 40 × 100 m, PCF of nine comparisons, a constant bias",
+        settings: report,
     },
     Preset {
         name: "bevy",
@@ -153,11 +159,34 @@ fn tutorial() -> Settings {
     Settings {
         splits: 1,
         depth: DepthFormat::U16,
-        fit: Fit::Scene,
         filter: Filter::Stratified(disc),
-        bias: Bias { slope, slope_limit: 2.0, ..Bias::NONE },
-        ..base()
+        bias: Bias { slope, slope_limit: 2.0, casters: CasterFaces::Back, ..Bias::NONE },
+        light_box: Some(LightBox::default()),
+        ..of_the_world(base())
     }
+}
+
+/// The report: 100 m of depth, here about the world's origin; where its light stands, it does not say.
+fn report() -> Settings {
+    let light_box = LightBox {
+        half_width: 20.0,
+        half_height: 20.0,
+        near: -50.0,
+        depth_range: 100.0,
+        ..LightBox::default()
+    };
+    Settings {
+        splits: 1,
+        filter: Filter::Pcf { size: 3 },
+        bias: Bias { constant: 0.05, ..Bias::NONE },
+        light_box: Some(light_box),
+        ..of_the_world(base())
+    }
+}
+
+/// The baseline of thesis, tutorial and report: a map that does not follow the camera.
+fn of_the_world(settings: Settings) -> Settings {
+    Settings { fit: Fit::World, ..settings }
 }
 
 /// What all have in common: maps of 1024² in 32 bits unless they say otherwise, a view by depth, and every caster as it is.

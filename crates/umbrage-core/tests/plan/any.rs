@@ -26,12 +26,18 @@ pub fn camera() -> impl Strategy<Value = Camera> {
         })
 }
 
-/// A fit and a warp; the stable fit has none.
+/// A fit and a warp; some fits have none.
 pub fn fit_and_warp() -> impl Strategy<Value = (Fit, Warp)> {
-    let fit = prop_oneof![Just(Fit::Scene), Just(Fit::View), Just(Fit::Stable), Just(Fit::Sample)];
+    let fit = prop_oneof![
+        Just(Fit::Scene),
+        Just(Fit::View),
+        Just(Fit::Stable),
+        Just(Fit::Sample),
+        Just(Fit::World)
+    ];
     let warp = prop_oneof![Just(Warp::None), Just(Warp::Psm), Just(Warp::Lispsm), Just(Warp::Tsm)];
     (fit, warp).prop_map(|(fit, warp)| {
-        if matches!(fit, Fit::Stable | Fit::Sample) { (fit, Warp::None) } else { (fit, warp) }
+        if matches!(fit, Fit::Stable | Fit::Sample | Fit::World) { (fit, Warp::None) } else { (fit, warp) }
     })
 }
 

@@ -7,7 +7,7 @@ use umbrage_core::{Aabb, Bounds, Camera, Fit, Light, Projection, Settings, Shado
 use super::any::{direction, fit_and_warp, share};
 
 /// The fits and warps that go together.
-const CHOICES: [(Fit, Warp); 10] = [
+const CHOICES: [(Fit, Warp); 11] = [
     (Fit::Scene, Warp::None),
     (Fit::Scene, Warp::Psm),
     (Fit::Scene, Warp::Lispsm),
@@ -18,6 +18,7 @@ const CHOICES: [(Fit, Warp); 10] = [
     (Fit::View, Warp::Tsm),
     (Fit::Stable, Warp::None),
     (Fit::Sample, Warp::None),
+    (Fit::World, Warp::None),
 ];
 
 /// What is wrong with a plan, if anything. Texels at 10¹⁶ m and beyond may have no size: two f64 lie metres apart there.

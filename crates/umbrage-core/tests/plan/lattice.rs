@@ -45,7 +45,13 @@ proptest! {
             Light::point(lamp, 500.0).unwrap(),
         ];
         let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.6 };
-        for (fit, resolution) in [(Fit::Stable, 256), (Fit::Stable, 333), (Fit::Scene, 256), (Fit::Scene, 333)] {
+        for (fit, resolution) in [
+            (Fit::Stable, 256),
+            (Fit::Stable, 333),
+            (Fit::World, 256),
+            (Fit::Scene, 256),
+            (Fit::Scene, 333),
+        ] {
             let settings = Settings { fit, resolution, splits: 3, ..Settings::default() };
             let mut before: Option<Vec<ShadowView>> = None;
             let mut seen = 0;
@@ -55,7 +61,7 @@ proptest! {
                 let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
                 // Only faces of point lights lie still under a fit to the scene.
                 let kept = match fit {
-                    Fit::Stable => plan.views(),
+                    Fit::Stable | Fit::World => plan.views(),
                     Fit::Scene | Fit::View | Fit::Sample => &plan.views()[4..],
                 };
                 for (before, after) in before.iter().flatten().zip(kept) {

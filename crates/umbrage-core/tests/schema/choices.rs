@@ -55,7 +55,7 @@ fn every_variant_is_a_choice_and_every_choice_a_variant() {
             }
             ("depth", _) => are_choices::<DepthFormat>(key, &variants!(DepthFormat: F32, U16)),
             ("storage", _) => are_choices::<Storage>(key, &variants!(Storage: Array, Atlas)),
-            ("fit", _) => are_choices::<Fit>(key, &variants!(Fit: Scene, View, Stable, Sample)),
+            ("fit", _) => are_choices::<Fit>(key, &variants!(Fit: Scene, View, Stable, Sample, World)),
             ("transparent_casters", _) => {
                 are_choices::<TransparentCasters>(key, &variants!(TransparentCasters: Dither, Solid, None));
             }

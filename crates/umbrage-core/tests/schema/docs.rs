@@ -17,6 +17,7 @@ const SOURCES: &[&str] = &[
     include_str!("../../src/filter/prefiltered/vsm.rs"),
     include_str!("../../src/filter/summed/mssm.rs"),
     include_str!("../../src/filter/summed/savsm.rs"),
+    include_str!("../../src/light_box.rs"),
     include_str!("../../src/settings.rs"),
     include_str!("../../src/settings/bias.rs"),
     include_str!("../../src/settings/shade.rs"),

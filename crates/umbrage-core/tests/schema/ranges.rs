@@ -2,13 +2,18 @@
 
 use toml::{Table, Value};
 use umbrage_core::schema::{Key, Values, keys, keys_of};
-use umbrage_core::{Contact, Filter, Settings, SettingsError, Shade};
+use umbrage_core::{Contact, Filter, LightBox, Settings, SettingsError, Shade};
 
 use crate::samples::{kinds, leaves, samples, settings, table, with};
 
 /// Settings that hold a key, once for each kind that has it, and whose maps have room for any filter.
 fn holders(key: &Key) -> Vec<Table> {
-    let base = Settings { resolution: 4096, contact: Some(Contact::default()), ..Settings::default() };
+    let base = Settings {
+        resolution: 4096,
+        contact: Some(Contact::default()),
+        light_box: Some(LightBox::default()),
+        ..Settings::default()
+    };
     let of_table = |name: &str| key.name.starts_with(name) && !key.kinds().is_empty();
     let mut all = Vec::new();
     for kind in kinds("filter").filter(|kind| of_table("filter.") && key.is_of(kind)) {

@@ -106,7 +106,7 @@ fn array_and_atlas_give_the_same_visibility_everywhere() {
 fn the_three_selections_differ_only_at_boundaries() {
     let (world, camera) = (world(), eye());
     let queries = queries(&world, &camera, 300);
-    for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+    for fit in [Fit::Scene, Fit::View, Fit::Stable, Fit::World] {
         let drawn = |select| {
             let settings = Settings { select, fit, ..settings() };
             draw(device(wgpu::Backends::VULKAN), settings, &camera, &[LIGHT], &world)

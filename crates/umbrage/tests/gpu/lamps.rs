@@ -88,7 +88,7 @@ fn lamps_shadow_what_rays_say() {
     for (what, light, most) in
         [("spot", spot(), 0.01), ("wide spot", wide_spot(), 0.01), ("point", point(), 0.01)]
     {
-        for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+        for fit in [Fit::Scene, Fit::View, Fit::Stable, Fit::World] {
             for select in [Select::Depth, Select::Map] {
                 let settings = Settings { fit, select, spot_splits: 2, ..Settings::default() };
                 let (share, judged) = wrong(&drawn(settings, &[light]), 0, 60);

@@ -131,8 +131,9 @@ fn pcf_lookups_of_every_size_agree_within_a_256th() {
 #[test]
 fn whole_lookups_agree_but_where_rounding_decides_a_comparison() {
     for select in [Select::Depth, Select::ClipDepth, Select::Map] {
-        for (fit, receiver_plane) in
-            [Fit::Scene, Fit::View, Fit::Stable].into_iter().flat_map(|fit| [(fit, false), (fit, true)])
+        for (fit, receiver_plane) in [Fit::Scene, Fit::View, Fit::Stable, Fit::World]
+            .into_iter()
+            .flat_map(|fit| [(fit, false), (fit, true)])
         {
             let bias = Bias { slope: 0.5, receiver_plane, ..Bias::default() };
             let settings = Settings {

@@ -32,7 +32,7 @@ fn a_flat_receiver_needs_no_other_bias_at_any_slope() {
     let (world, camera) = (square(5.0, 0.0, Vec3::ZERO), eye());
     let queries = queries(&world, &camera, 4000);
     for filter in FILTERS {
-        for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+        for fit in [Fit::Scene, Fit::View, Fit::Stable, Fit::World] {
             for degrees in [0.0, 20.0, 45.0, 60.0, 70.0, 80.0] {
                 let lit = |receiver_plane| {
                     let bias = Bias { constant: Bias::default().constant, receiver_plane, ..Bias::NONE };
@@ -69,7 +69,7 @@ fn what_is_flattened_onto_the_near_plane_still_shadows_a_plane_that_reaches_beyo
     let queries = queries(&ground, &camera, 4000);
     assert!(queries.len() > 5000, "the camera sees the ground: {}", queries.len());
     for filter in [Filter::Bilinear {}, Filter::Pcf { size: 9 }] {
-        for fit in [Fit::Scene, Fit::View, Fit::Stable] {
+        for fit in [Fit::Scene, Fit::View, Fit::Stable, Fit::World] {
             let bias = Bias { receiver_plane: true, normal: 0.1, ..Bias::default() };
             let settings = Settings { filter, fit, bias, splits: 1, resolution: 64, ..Settings::default() };
             let world = [ground, lid].concat();
