@@ -1,4 +1,5 @@
-//! `docs/claims.md`: which of the papers' claims hold here, as the reports of `umbrage report` have it.
+//! Which claims of the sources hold here, as the reports of `umbrage report` have it: `docs/claims.md` of the paper's and the
+//! tutorial's, `docs/ferko.md` of the thesis'.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -8,49 +9,141 @@ use anyhow::Context as _;
 use crate::command::write_document;
 use crate::reports::Reports;
 
-/// The experiments whose claims are told, in order, each with what it comes to.
-const EXPERIMENTS: [(&str, &str); 3] = [
-    ("zhang-table-1", include_str!("claims/zhang-table-1.md")),
-    ("dueling-frusta", include_str!("claims/dueling-frusta.md")),
-    ("zhang-figure-8", include_str!("claims/zhang-figure-8.md")),
-];
-
-/// Runs the experiments, unless `pages` is a folder that has their reports already, and writes the document.
-pub fn write(adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
-    let reports = Reports::of(&EXPERIMENTS.map(|(name, _)| name), adapter, pages)?;
-    let mut text = "# Which claims hold here\n\n\
-        Written by `cargo xtask claims`; do not edit. `umbrage report experiments/NAME.toml -o DIR` makes each page with \
-        its pictures.\n\n\
-        A ratio is the mean over jittered cameras, both variants drawn from the same one, with half its 95 % interval. \
-        A claim holds where the whole interval is at most what is claimed.\n"
-        .to_owned();
-    for (name, found) in EXPERIMENTS {
-        text += &chapter(name, found, &reports)?;
-    }
-    write_document("docs/claims.md", &text)
+/// A document of claims.
+pub struct Document {
+    /// Its path from the repository's root.
+    path: &'static str,
+    /// What it says before its first table.
+    head: &'static str,
+    /// The experiments whose claims are told, in order.
+    chapters: &'static [Chapter],
 }
 
-/// One experiment: its claims, its figures, and what it was made with.
-fn chapter(name: &str, found: &str, reports: &Reports) -> anyhow::Result<String> {
-    let verdicts = reports.verdicts(name)?;
-    let title = verdicts["title"].as_str().with_context(|| format!("the verdicts of {name} lack a title"))?;
-    let claims = said(name, reports)?;
-    let (figures, machines) = (reports.table(name, "figures")?, reports.table(name, "machines")?);
-    Ok(format!(
-        "\n## {title}\n\n`experiments/{name}.toml`\n\n{}\n{claims}\n### Figures\n\n{figures}\n### Made with\n\n{machines}",
-        found.trim()
-    ))
+/// An experiment in a document.
+struct Chapter {
+    /// The experiment's name.
+    name: &'static str,
+    /// What it comes to, in words.
+    found: &'static str,
+    /// The worlds whose enlarged parts are shown.
+    enlarged: &'static [&'static str],
+}
+
+/// The paper's claims, and the tutorial's.
+pub const CLAIMS: Document = Document {
+    path: "docs/claims.md",
+    head: include_str!("claims/head.md"),
+    chapters: &[
+        Chapter { name: "zhang-table-1", found: include_str!("claims/zhang-table-1.md"), enlarged: &[] },
+        Chapter {
+            name: "dueling-frusta",
+            found: include_str!("claims/dueling-frusta.md"),
+            enlarged: &["knights"],
+        },
+        Chapter {
+            name: "zhang-figure-8",
+            found: include_str!("claims/zhang-figure-8.md"),
+            enlarged: &["huge-chessboard", "robot-war", "mining-terrain", "knights"],
+        },
+        Chapter {
+            name: "tutorial-16",
+            found: include_str!("claims/tutorial-16.md"),
+            enlarged: &["tutorial-room"],
+        },
+    ],
+};
+
+/// The thesis' results, again.
+pub const FERKO: Document = Document {
+    path: "docs/ferko.md",
+    head: include_str!("ferko/head.md"),
+    chapters: &[
+        Chapter {
+            name: "ferko-figures-2.3-3.3",
+            found: include_str!("ferko/figures-2.3-3.3.md"),
+            enlarged: &["bunny"],
+        },
+        Chapter {
+            name: "ferko-tables-5",
+            found: include_str!("ferko/tables-5.md"),
+            enlarged: &["primitives", "bunny", "dragon"],
+        },
+        Chapter {
+            name: "ferko-figure-5.2",
+            found: include_str!("ferko/figure-5.2.md"),
+            enlarged: &["bunny", "mining-terrain"],
+        },
+        Chapter { name: "ferko-figure-5.3", found: include_str!("ferko/figure-5.3.md"), enlarged: &[] },
+        Chapter { name: "ferko-shaking", found: include_str!("ferko/shaking.md"), enlarged: &[] },
+    ],
+};
+
+impl Document {
+    /// Runs the experiments, unless `pages` is a folder that has their reports already, and writes the document.
+    pub fn write(&self, adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
+        let names: Vec<&str> = self.chapters.iter().map(|chapter| chapter.name).collect();
+        let reports = Reports::of(&names, adapter, pages)?;
+        let mut text = self.head.to_owned();
+        text += "\n## Verdicts\n\n| claim | verdict | `umbrage report` of |\n|---|---|---|\n";
+        for chapter in self.chapters {
+            text += &verdicts(chapter.name, &reports)?;
+        }
+        for chapter in self.chapters {
+            text += &chapter.text(&reports)?;
+        }
+        write_document(self.path, &text)
+    }
+}
+
+/// A row for each claim of an experiment.
+fn verdicts(name: &str, reports: &Reports) -> anyhow::Result<String> {
+    let mut rows = String::new();
+    for [says, verdict] in claims(name, &reports.verdicts(name)?)? {
+        let _ = writeln!(rows, "| {says} | {verdict} | `experiments/{name}.toml` |");
+    }
+    Ok(rows)
+}
+
+/// What each claim of an experiment says, and its verdict.
+fn claims(name: &str, verdicts: &serde_json::Value) -> anyhow::Result<Vec<[String; 2]>> {
+    let incomplete = || format!("the verdicts of {name} lack a claim");
+    let claims = verdicts["claims"].as_array().with_context(incomplete)?;
+    let word = |claim: &serde_json::Value, key: &str| {
+        claim[key].as_str().map(str::to_owned).with_context(incomplete)
+    };
+    claims.iter().map(|claim| Ok([word(claim, "says")?, word(claim, "verdict")?])).collect()
+}
+
+impl Chapter {
+    /// One experiment: its pictures, its claims, its figures, and what it was made with.
+    fn text(&self, reports: &Reports) -> anyhow::Result<String> {
+        let Self { name, found, enlarged } = self;
+        let verdicts = reports.verdicts(name)?;
+        let title =
+            verdicts["title"].as_str().with_context(|| format!("the verdicts of {name} lack a title"))?;
+        let mut pictures = String::new();
+        for world in *enlarged {
+            let file = format!("{name}-{world}.png");
+            reports.copy_picture(&file, &file)?;
+            let _ = writeln!(pictures, "![{title}: a part of {world}, enlarged](pictures/{file})\n");
+        }
+        let claims = said(name, reports)?;
+        let (figures, machines) = (reports.table(name, "figures")?, reports.table(name, "machines")?);
+        let found = found.trim();
+        Ok(format!(
+            "\n## {title}\n\n`experiments/{name}.toml`\n\n{found}\n\n{pictures}{claims}\n### Figures\n\n{figures}\n### Made with\n\n{machines}"
+        ))
+    }
 }
 
 /// The claims of an experiment, each with whether it holds and the table of its figures.
 pub fn said(name: &str, reports: &Reports) -> anyhow::Result<String> {
     let verdicts = reports.verdicts(name)?;
-    let incomplete = || format!("the verdicts of {name} lack a claim");
+    let tables = verdicts["claims"].as_array().into_iter().flatten().map(|claim| claim["table"].as_str());
     let mut text = String::new();
-    for claim in verdicts["claims"].as_array().with_context(incomplete)? {
-        let [says, verdict] = ["says", "verdict"].map(|key| claim[key].as_str().with_context(incomplete));
-        let _ = write!(text, "\n**{}** — {}\n\n", says?, verdict?);
-        if let Some(table) = claim["table"].as_str() {
+    for ([says, verdict], table) in claims(name, &verdicts)?.iter().zip(tables) {
+        let _ = write!(text, "\n**{says}** — {verdict}\n\n");
+        if let Some(table) = table {
             text += &reports.table(name, table)?;
         }
     }
@@ -97,10 +190,11 @@ mod tests {
         ]);
         let folder = Folder::new("whole", &json!({ "title": "Four & one", "claims": claims }));
         let reports = Reports::of(&[], None, Some(&folder.0)).expect("reports");
-        let text = chapter("whole", "Four are.\n", &reports).expect("a chapter");
+        let text =
+            Chapter { name: "whole", found: "Four are.\n", enlarged: &[] }.text(&reports).expect("a chapter");
         assert_eq!(
             text,
-            "\n## Four & one\n\n`experiments/whole.toml`\n\nFour are.\n\n**Four are better.** — holds\n\n| world |\n\
+            "\n## Four & one\n\n`experiments/whole.toml`\n\nFour are.\n\n\n**Four are better.** — holds\n\n| world |\n\
              \n**Five are too.** — not decided\n\n\n### Figures\n\n| variant |\n\n### Made with\n\n| adapter |\n"
         );
     }
@@ -109,7 +203,10 @@ mod tests {
     fn a_report_that_lacks_a_part_is_named() {
         let folder = Folder::new("part", &json!({ "title": "Only a title" }));
         let reports = Reports::of(&[], None, Some(&folder.0)).expect("reports");
-        let why = |name: &str| format!("{:#}", chapter(name, "", &reports).expect_err("no chapter"));
+        let why = |name: &'static str| {
+            let chapter = Chapter { name, found: "", enlarged: &[] };
+            format!("{:#}", chapter.text(&reports).expect_err("no chapter"))
+        };
         assert!(why("part").contains("the verdicts of part lack a claim"), "{}", why("part"));
         assert!(why("other").contains("no other/verdicts.json in "), "{}", why("other"));
     }

@@ -1,9 +1,10 @@
 //! Repository chores: `cargo xtask results` times every world into `docs/results.md`, `cargo xtask error` measures how
 //! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
-//! `cargo xtask claims` says which of the papers' claims hold in `docs/claims.md`, `cargo xtask filters` compares every
+//! `cargo xtask claims` says which claims of the paper and the tutorial hold in `docs/claims.md`, `cargo xtask ferko` measures the
+//! thesis' tables and figures again in `docs/ferko.md`, `cargo xtask filters` compares every
 //! filter in `docs/filters.md`, `cargo xtask field` measures scenes that are far or large or small in `docs/field.md`,
 //! `cargo xtask peers` sets Umbrage beside other renderers in `docs/peers.md`, `cargo xtask pictures` draws the pictures of
-//! the documents, `cargo xtask web` builds the web page.
+//! the documents, `cargo xtask documents` makes all of these again, `cargo xtask web` builds the web page.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage`, and joins and copies what that leaves.
 
@@ -30,6 +31,17 @@ struct Cli {
     chore: Chore,
 }
 
+/// What documents are made from that are put together from reports.
+#[derive(Debug, clap::Args)]
+struct Pages {
+    /// Part of the name of the adapter to draw on
+    #[arg(long)]
+    adapter: Option<String>,
+    /// A folder with what `umbrage report` leaves, where it is made already
+    #[arg(long, value_name = "DIR")]
+    pages: Option<std::path::PathBuf>,
+}
+
 #[derive(Debug, Subcommand)]
 enum Chore {
     /// Measures every world and writes docs/results.md
@@ -51,38 +63,21 @@ enum Chore {
         adapter: Option<String>,
     },
     /// Measures every kind of bias and writes docs/biases.md
-    Biases {
-        /// Part of the name of the adapter to draw on
-        #[arg(long)]
-        adapter: Option<String>,
-        /// A folder with what `umbrage report` leaves, where it is made already
-        #[arg(long, value_name = "DIR")]
-        pages: Option<std::path::PathBuf>,
-    },
-    /// Says which of the papers' claims hold, in docs/claims.md
-    Claims {
-        /// Part of the name of the adapter to draw on
-        #[arg(long)]
-        adapter: Option<String>,
-        /// A folder with what `umbrage report` leaves, where it is made already
-        #[arg(long, value_name = "DIR")]
-        pages: Option<std::path::PathBuf>,
-    },
+    Biases(Pages),
+    /// Says which claims of the paper and the tutorial hold, in docs/claims.md
+    Claims(Pages),
+    /// Measures the thesis' tables and figures again, in docs/ferko.md
+    Ferko(Pages),
     /// Compares every filter, in docs/filters.md
-    Filters {
-        /// Part of the name of the adapter to draw on
-        #[arg(long)]
-        adapter: Option<String>,
-        /// A folder with what `umbrage report` leaves, where it is made already
-        #[arg(long, value_name = "DIR")]
-        pages: Option<std::path::PathBuf>,
-    },
+    Filters(Pages),
     /// Measures by distance from the origin and by scale, in docs/field.md
     Field(field::Args),
     /// Sets Umbrage beside other renderers on the same worlds, in docs/peers.md
     Peers(peers::Args),
     /// Draws the pictures of the documents
     Pictures,
+    /// Makes every document and picture again, one after another; hours on a small machine
+    Documents,
     #[cfg(feature = "web")]
     /// Builds the web page, and prints how large it is
     Web {
@@ -93,17 +88,31 @@ enum Chore {
 }
 
 fn main() -> anyhow::Result<()> {
-    match Cli::parse().chore {
+    run(Cli::parse().chore)
+}
+
+fn run(chore: Chore) -> anyhow::Result<()> {
+    match chore {
         Chore::Results { planning: true, .. } => results::write_planning(),
         Chore::Results { adapter, frames, .. } => results::write(adapter.as_deref(), frames),
         Chore::Error { adapter } => error::write(adapter.as_deref()),
-        Chore::Biases { adapter, pages } => biases::write(adapter.as_deref(), pages.as_deref()),
-        Chore::Claims { adapter, pages } => claims::write(adapter.as_deref(), pages.as_deref()),
-        Chore::Filters { adapter, pages } => filters::write(adapter.as_deref(), pages.as_deref()),
+        Chore::Biases(Pages { adapter, pages }) => biases::write(adapter.as_deref(), pages.as_deref()),
+        Chore::Claims(Pages { adapter, pages }) => claims::CLAIMS.write(adapter.as_deref(), pages.as_deref()),
+        Chore::Ferko(Pages { adapter, pages }) => claims::FERKO.write(adapter.as_deref(), pages.as_deref()),
+        Chore::Filters(Pages { adapter, pages }) => filters::write(adapter.as_deref(), pages.as_deref()),
+        Chore::Documents => documents(),
         Chore::Field(args) => field::write(&args),
         Chore::Peers(args) => peers::write(&args),
         Chore::Pictures => pictures::draw(),
         #[cfg(feature = "web")]
         Chore::Web { out } => web::build(&out),
     }
+}
+
+/// The chores that make documents, as they follow each other: what is timed comes first, while the machine is at rest.
+const DOCUMENTS: [&str; 9] =
+    ["peers", "results", "filters", "ferko", "claims", "error", "biases", "field", "pictures"];
+
+fn documents() -> anyhow::Result<()> {
+    DOCUMENTS.into_iter().try_for_each(|chore| run(Cli::parse_from(["xtask", chore]).chore))
 }

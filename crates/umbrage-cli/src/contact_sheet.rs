@@ -1,4 +1,5 @@
-//! A contact sheet of an experiment: the part of a world's picture that its page enlarges, a tile for each way.
+//! A contact sheet of an experiment: the part of a world's picture that its page enlarges, a tile for each variant and one
+//! with exact shadows.
 
 use std::path::Path;
 
@@ -25,10 +26,10 @@ const LETTERS: f32 = 19.0;
 pub fn write(experiment: &Experiment, rows: &[Row], folder: &Path, name: &str) -> anyhow::Result<()> {
     let groups = groups(experiment, rows);
     for (world, part) in &experiment.enlarged {
-        let tiles = groups
-            .iter()
-            .filter(|group| group.world == world)
-            .filter_map(|group| tile(experiment, group, *part).transpose())
+        let of_world = groups.iter().filter(|group| group.world == world).collect::<Vec<_>>();
+        let tiles = of_world
+            .chunk_by(|a, b| a.stands_beside(b))
+            .flat_map(|beside| tiles(experiment, beside, *part))
             .collect::<anyhow::Result<Vec<_>>>()
             .with_context(|| format!("a stored picture of {world} cannot be read"))?;
         if tiles.is_empty() {
@@ -46,21 +47,29 @@ pub fn write(experiment: &Experiment, rows: &[Row], folder: &Path, name: &str) -
     Ok(())
 }
 
-/// A way's name and its part of the picture, as large as a tile; `None` where no picture was kept.
-fn tile(
+/// A name and its part of a picture, as large as a tile, for each of some variants that kept a picture, and then for the exact
+/// picture that the first was judged by.
+fn tiles(
     experiment: &Experiment,
-    group: &Group<'_>,
-    [left, top, width, height]: [u32; 4],
-) -> anyhow::Result<Option<(String, RgbaImage)>> {
-    let Some(pictures) = group.rows.iter().find_map(|row| row.outcome.pictures.as_ref()) else {
-        return Ok(None);
+    beside: &[&Group<'_>],
+    part: [u32; 4],
+) -> Vec<anyhow::Result<(String, RgbaImage)>> {
+    let kept = |group: &Group<'_>| group.rows.iter().find_map(|row| row.outcome.pictures.clone());
+    let kept: Vec<_> = beside.iter().filter_map(|group| Some((*group, kept(group)?))).collect();
+    let named = |name: String, camera: &str| match experiment.cameras.len() {
+        1 => name,
+        _ => format!("{name}, {camera}"),
     };
-    let part = image::load_from_memory(&pictures.shaded)?.crop_imm(left, top, width, height);
-    let name = match experiment.cameras.len() {
-        1 => group.name(experiment),
-        _ => format!("{}, {}", group.name(experiment), group.camera),
-    };
-    Ok(Some((name, in_few_colours(&sized(&part)).into_rgba8())))
+    let drawn =
+        kept.iter().map(|(group, pictures)| (named(group.name(experiment), group.camera), &pictures.shaded));
+    let exact =
+        kept.first().map(|(group, pictures)| (named("exact".to_owned(), group.camera), &pictures.exact));
+    drawn.chain(exact).map(|(name, picture)| Ok((name, tile(picture, part)?))).collect()
+}
+
+fn tile(picture: &[u8], [left, top, width, height]: [u32; 4]) -> anyhow::Result<RgbaImage> {
+    let part = image::load_from_memory(picture)?.crop_imm(left, top, width, height);
+    Ok(in_few_colours(&sized(&part)).into_rgba8())
 }
 
 /// A picture with its pixels made large, or made small where it is larger than a tile.
@@ -90,7 +99,7 @@ fn compose(tiles: &[(String, RgbaImage)]) -> anyhow::Result<RgbaImage> {
     let mut sheet = Sheet::new(GAP + across * width, GAP + (tiles.len() as u32).div_ceil(ACROSS) * height)?;
     for ((name, tile), i) in tiles.iter().zip(0..) {
         let (x, y) = (GAP + i % ACROSS * width, GAP + i / ACROSS * height);
-        sheet.write(name, x, y, LETTERS);
+        sheet.write_within(name, x, y, (width - GAP, LETTERS));
         sheet.place(tile, x, y + LINE, tile.width(), tile.height());
     }
     Ok(sheet.image)

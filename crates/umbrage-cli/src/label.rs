@@ -29,6 +29,14 @@ impl Sheet {
         imageops::overlay(&mut self.image, &scaled, i64::from(x), i64::from(y));
     }
 
+    /// Writes a line with its upper left corner at x, y, letters `size` pixels tall or as much smaller as it takes to stay
+    /// `width` pixels wide.
+    pub fn write_within(&mut self, text: &str, x: u32, y: u32, (width, size): (u32, f32)) {
+        let font = self.font.as_scaled(size);
+        let wide: f32 = text.chars().map(|letter| font.h_advance(font.glyph_id(letter))).sum();
+        self.write(text, x, y, size * (width as f32 / wide.max(1.0)).min(1.0));
+    }
+
     /// Writes a line with its upper left corner at x, y, letters `size` pixels tall.
     pub fn write(&mut self, text: &str, x: u32, y: u32, size: f32) {
         let font = self.font.as_scaled(size);

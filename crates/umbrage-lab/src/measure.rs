@@ -45,7 +45,10 @@ impl Laboratory<'_> {
         if let Some(motion) = run.motion {
             judged.measurement.flicker = Some(self.flicker(&shot, &run.settings, motion, run.watch)?);
         }
-        let pictures = run.pictures.then(|| Pictures::of(&judged.shaded, &judged.heat_map)).transpose()?;
+        let pictures = run
+            .pictures
+            .then(|| Pictures::of(&judged.shaded, &judged.heat_map, &judged.true_picture))
+            .transpose()?;
         Ok(Outcome { machine: Machine::here(self.gpu()), measurement: judged.measurement, pictures })
     }
 }
@@ -72,18 +75,8 @@ fn shot(scene: &Scene, run: &Run) -> Result<Shot, LabError> {
 }
 
 impl Pictures {
-    /// Encodes a shaded picture and its heat map.
-    fn of(shaded: &Picture, heat_map: &Picture) -> Result<Self, LabError> {
-        /// Good enough to judge shadows by, and a tenth of a PNG's size.
-        const JPEG_QUALITY: u8 = 88;
-        let mut jpeg = Cursor::new(Vec::new());
-        let rgb: Vec<u8> = shaded.rgba.as_chunks::<4>().0.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
-        JpegEncoder::new_with_quality(&mut jpeg, JPEG_QUALITY).write_image(
-            &rgb,
-            shaded.width,
-            shaded.height,
-            ExtendedColorType::Rgb8,
-        )?;
+    /// Encodes a shaded picture, its heat map, and the picture with exact shadows.
+    fn of(shaded: &Picture, heat_map: &Picture, exact: &Picture) -> Result<Self, LabError> {
         let mut png = Cursor::new(Vec::new());
         PngEncoder::new(&mut png).write_image(
             &heat_map.rgba,
@@ -91,6 +84,21 @@ impl Pictures {
             heat_map.height,
             ExtendedColorType::Rgba8,
         )?;
-        Ok(Self { shaded: jpeg.into_inner(), error: png.into_inner() })
+        Ok(Self { shaded: jpeg(shaded)?, error: png.into_inner(), exact: jpeg(exact)? })
     }
+}
+
+/// A picture as JPEG.
+fn jpeg(picture: &Picture) -> Result<Vec<u8>, LabError> {
+    /// Good enough to judge shadows by, and a tenth of a PNG's size.
+    const QUALITY: u8 = 88;
+    let mut file = Cursor::new(Vec::new());
+    let rgb: Vec<u8> = picture.rgba.as_chunks::<4>().0.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
+    JpegEncoder::new_with_quality(&mut file, QUALITY).write_image(
+        &rgb,
+        picture.width,
+        picture.height,
+        ExtendedColorType::Rgb8,
+    )?;
+    Ok(file.into_inner())
 }

@@ -160,6 +160,8 @@ pub struct Pictures {
     pub shaded: Vec<u8>,
     /// The error heat map, as PNG: grey where right, orange where falsely shadowed, blue where falsely lit.
     pub error: Vec<u8>,
+    /// The picture with exact shadows, as JPEG.
+    pub exact: Vec<u8>,
 }
 
 /// The outcome of a run: what was measured, and on which machine.

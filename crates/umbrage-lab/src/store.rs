@@ -1,6 +1,6 @@
 //! Results that are kept, so that nothing is measured twice.
 //!
-//! A result lies in `runs/<hash>.json` below the store's folder, its pictures beside it; the hash is that of the run,
+//! A result lies in `runs/<hash>.json` below the store's folder, its pictures beside it as `.jpg`, `.png` (where it is wrong) and `.jpeg` (exact); the hash is that of the run,
 //! so of all inputs. Each result carries a checksum of itself and of its pictures: what was cut off, changed or
 //! confused with another is as if it were not there, and is made again.
 //!
@@ -35,6 +35,7 @@ struct Stored {
 struct PictureHashes {
     shaded: String,
     error: String,
+    exact: String,
 }
 
 impl Store {
@@ -63,9 +64,11 @@ impl Store {
         };
         let pictures = match pictures {
             None => None,
-            Some(PictureHashes { shaded, error }) => {
-                Some(Pictures { shaded: picture("jpg", &shaded)?, error: picture("png", &error)? })
-            }
+            Some(PictureHashes { shaded, error, exact }) => Some(Pictures {
+                shaded: picture("jpg", &shaded)?,
+                error: picture("png", &error)?,
+                exact: picture("jpeg", &exact)?,
+            }),
         };
         Some(Outcome { machine, measurement, pictures })
     }
@@ -81,9 +84,11 @@ impl Store {
             run: run.clone(),
             machine: machine.clone(),
             measurement: measurement.clone(),
-            pictures: pictures
-                .as_ref()
-                .map(|Pictures { shaded, error }| PictureHashes { shaded: hash(shaded), error: hash(error) }),
+            pictures: pictures.as_ref().map(|Pictures { shaded, error, exact }| PictureHashes {
+                shaded: hash(shaded),
+                error: hash(error),
+                exact: hash(exact),
+            }),
         };
         let body = serde_json::to_string(&stored)?;
         // JSON turns numbers that are not finite into null; such a result would be made again and again.
@@ -92,9 +97,10 @@ impl Store {
             return Err(LabError::Json(serde_json::Error::custom(why)));
         }
         make_folder(&self.runs)?;
-        if let Some(Pictures { shaded, error }) = pictures {
+        if let Some(Pictures { shaded, error, exact }) = pictures {
             files::write(&self.path(&key, "jpg"), shaded)?;
             files::write(&self.path(&key, "png"), error)?;
+            files::write(&self.path(&key, "jpeg"), exact)?;
         }
         files::write(&self.path(&key, "json"), sealed(&body).as_bytes())
     }

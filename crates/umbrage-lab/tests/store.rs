@@ -120,7 +120,11 @@ fn outcome(run: &Run) -> Outcome {
         commit: "abc".to_owned(),
     };
     let shaded = vec![0xff, 0xd8, run.repeat as u8];
-    Outcome { machine, measurement, pictures: Some(Pictures { shaded, error: b"\x89PNG".to_vec() }) }
+    Outcome {
+        machine,
+        measurement,
+        pictures: Some(Pictures { shaded, error: b"\x89PNG".to_vec(), exact: vec![0xff, 0xd9] }),
+    }
 }
 
 /// A folder with a store in it that holds the results of some runs.
@@ -187,7 +191,7 @@ fn every_input_has_a_result_of_its_own() {
 #[test]
 fn any_changed_or_missing_byte_is_noticed() {
     let (folder, store) = store_of(&[run(0)]);
-    for extension in ["json", "jpg", "png"] {
+    for extension in ["json", "jpg", "png", "jpeg"] {
         let path = &files(&folder, extension)[0];
         let good = fs::read(path).unwrap();
         // Both ends, with the seal and the run, are tried whole; of the figures between them every eleventh byte.
@@ -241,7 +245,7 @@ fn pictures_alone_are_no_result() {
     store.put(&run(0), &outcome(&run(0))).unwrap();
     let json = files(&folder, "json").remove(0);
     fs::remove_file(&json).unwrap();
-    for extension in ["jpg", "png"] {
+    for extension in ["jpg", "png", "jpeg"] {
         fs::remove_file(&files(&folder, extension)[0]).unwrap();
     }
     fs::create_dir(&json).unwrap();

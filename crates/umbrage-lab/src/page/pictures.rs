@@ -36,7 +36,8 @@ pub(super) fn section(experiment: &Experiment, groups: &[Group]) -> Markup {
 /// The pictures of one world, camera and motion; `None` where none was kept.
 fn row(experiment: &Experiment, beside: &[Group]) -> Option<Markup> {
     let place = place(beside.first()?);
-    let figures: Vec<Markup> = beside.iter().filter_map(|group| figure(experiment, group)).collect();
+    let mut figures: Vec<Markup> = beside.iter().filter_map(|group| figure(experiment, group)).collect();
+    figures.extend(beside.iter().find_map(|group| exact(experiment, group)));
     (!figures.is_empty()).then(|| {
         html! {
             h3.place { (parts(&place)) } "\n"
@@ -55,7 +56,7 @@ fn figure(experiment: &Experiment, group: &Group) -> Option<Markup> {
         let outcome = &row.outcome;
         outcome.pictures.as_ref().map(|pictures| (pictures, &outcome.measurement))
     })?;
-    let Pictures { shaded, error } = pictures;
+    let Pictures { shaded, error, exact: _ } = pictures;
     let name = group.name(experiment);
     let part = experiment.enlarged.get(&group.rows.first()?.run.world);
     let enlarged = part.and_then(|part| enlarged(shaded, *part)).unwrap_or_default();
@@ -65,6 +66,21 @@ fn figure(experiment: &Experiment, group: &Group) -> Option<Markup> {
             (image("jpeg", shaded, &format!("{name}: the picture"), measurement))
             (image("png", error, &format!("{name}: where its shadows are wrong"), measurement))
             figcaption { b { (Text(&name)) } br; (caption(measurement)) }
+        }
+    })
+}
+
+/// The picture with exact shadows that a group's first picture was judged by.
+fn exact(experiment: &Experiment, group: &Group) -> Option<Markup> {
+    let row = group.rows.iter().find(|row| row.outcome.pictures.is_some())?;
+    let (exact, measurement) = (&row.outcome.pictures.as_ref()?.exact, &row.outcome.measurement);
+    let part = experiment.enlarged.get(&row.run.world);
+    let enlarged = part.and_then(|part| enlarged(exact, *part)).unwrap_or_default();
+    Some(html! {
+        figure {
+            (image("png", &enlarged, "exact: a part of it, enlarged", measurement))
+            (image("jpeg", exact, "exact: the picture", measurement))
+            figcaption { b { "exact" } br; "traced, one ray a pixel and light" }
         }
     })
 }

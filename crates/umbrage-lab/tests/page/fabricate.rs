@@ -266,6 +266,7 @@ fn pictures([width, height]: [u32; 2], place: usize, wrong: f64) -> Pictures {
         bytes.into_inner()
     };
     Pictures {
+        exact: file(DynamicImage::ImageRgb8(shaded.clone()), ImageFormat::Jpeg),
         shaded: file(DynamicImage::ImageRgb8(shaded), ImageFormat::Jpeg),
         error: file(DynamicImage::ImageRgb8(DynamicImage::ImageRgba8(heat).into_rgb8()), ImageFormat::Png),
     }
