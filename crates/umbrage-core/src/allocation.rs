@@ -3,9 +3,11 @@
 
 mod arrange;
 
+use arrayvec::ArrayVec;
+
 use crate::error::SettingsError;
 use crate::light::{FACES, Light, LightKind};
-use crate::settings::{DepthFormat, Settings, Storage, check_resolution};
+use crate::settings::{DepthFormat, LARGEST_TILE, LEAST_TILE, MAX_SPLITS, Settings, Storage, check_resolution};
 
 use arrange::arrange;
 
@@ -14,17 +16,13 @@ use arrange::arrange;
 pub struct Allocation {
     storage: Storage,
     layout: MapLayout,
-    /// The number of tiles that each light has, and their side in texels.
+    /// The sides of each light's tiles.
     lights: Vec<TileGroup>,
     tiles: Vec<Tile>,
 }
 
-/// The tiles of one light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct TileGroup {
-    count: u32,
-    size: u32,
-}
+/// The sides of one light's tiles, texels, split by split or face by face.
+type TileGroup = ArrayVec<u32, MAX_SPLITS>;
 
 /// A square in the maps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,12 +62,11 @@ impl Allocation {
 
     /// Gives the views of one sun their tiles.
     pub fn of_sun(settings: &Settings) -> Self {
-        Self::of_groups(settings, vec![TileGroup { count: settings.splits, size: settings.resolution }])
+        Self::of_groups(settings, vec![settings.split_sides(settings.resolution, settings.splits)])
     }
 
     fn of_groups(settings: &Settings, lights: Vec<TileGroup>) -> Self {
-        let sizes: Vec<u32> =
-            lights.iter().flat_map(|light| std::iter::repeat_n(light.size, light.count as usize)).collect();
+        let sizes: Vec<u32> = lights.iter().flatten().copied().collect();
         let mut tiles = vec![Tile::default(); sizes.len()];
         let layout = arrange(settings.storage, settings.depth, &sizes, &mut tiles);
         Self { storage: settings.storage, layout, lights, tiles }
@@ -87,10 +84,9 @@ impl Allocation {
 
     /// The tiles of one light, split by split or face by face; none where there is no such light.
     pub fn tiles_of(&self, light: usize) -> &[Tile] {
-        let count = |lights: &[TileGroup]| lights.iter().map(|light| light.count as usize).sum::<usize>();
         let Some(group) = self.lights.get(light) else { return &[] };
-        let first = count(&self.lights[..light]);
-        &self.tiles[first..first + group.count as usize]
+        let first = self.lights[..light].iter().map(|group| group.len()).sum::<usize>();
+        &self.tiles[first..first + group.len()]
     }
 
     /// Whether such lights under such settings get just these tiles. It allocates nothing.
@@ -132,9 +128,31 @@ impl Light {
 
     fn tile_group(&self, settings: &Settings) -> Result<TileGroup, SettingsError> {
         let size = self.resolution().unwrap_or(settings.resolution);
-        check_resolution(size)?;
-        settings.filter.check_tile(size)?;
-        Ok(TileGroup { count: self.views(settings), size })
+        let sides = match self.kind() {
+            LightKind::Directional { .. } | LightKind::Spot { .. } => {
+                settings.split_sides(size, self.views(settings))
+            }
+            LightKind::Point { .. } => std::iter::repeat_n(size, FACES as usize).collect(),
+        };
+        for side in &sides {
+            check_resolution(*side)?;
+            settings.filter.check_tile(*side)?;
+        }
+        Ok(sides)
+    }
+}
+
+impl Settings {
+    /// The sides of the tiles of so many splits, of which the first has so many texels: each has `resolution_falloff` times those
+    /// of the one before, in whole steps of eight, which filters may halve thrice, and no fewer than a tile may have.
+    fn split_sides(&self, first: u32, splits: u32) -> TileGroup {
+        let falloff = f64::from(self.resolution_falloff);
+        let side = |split: u32| match split {
+            0 => first,
+            _ => ((f64::from(first) * falloff.powi(split as i32) / 8.0).round() as u32 * 8)
+                .clamp(LEAST_TILE, LARGEST_TILE),
+        };
+        (0..splits).take(MAX_SPLITS).map(|split| if falloff == 1.0 { first } else { side(split) }).collect()
     }
 }
 
@@ -162,6 +180,25 @@ mod tests {
     }
 
     #[test]
+    fn splits_of_falling_resolution_take_less_of_an_atlas() {
+        let settings = Settings {
+            resolution: 2048,
+            resolution_falloff: 0.5,
+            storage: Storage::Atlas,
+            ..Settings::default()
+        };
+        let allocation = Allocation::of_sun(&settings);
+        assert_eq!(
+            allocation.tiles().iter().map(|tile| tile.size).collect::<Vec<_>>(),
+            [2048, 1024, 512, 256]
+        );
+        let even = Allocation::of_sun(&Settings { resolution_falloff: 1.0, ..settings.clone() });
+        assert!(2 * allocation.layout().bytes() <= even.layout().bytes(), "{:?}", allocation.layout());
+        let steep = Settings { resolution: 20, resolution_falloff: 0.25, ..settings };
+        assert_eq!(Allocation::of_sun(&steep).tiles().iter().map(|tile| tile.size).min(), Some(16));
+    }
+
+    #[test]
     fn an_allocation_serves_while_lights_and_sizes_are_the_same_wherever_the_lights_are() {
         let (settings, lights) = (Settings::default(), lights());
         let allocation = Allocation::new(&settings, &lights).expect("an allocation");
@@ -175,6 +212,7 @@ mod tests {
             (false, settings.clone(), vec![sun, spot]),
             (false, settings.clone(), vec![sun, spot.with_resolution(256), point]),
             (false, settings.clone(), vec![sun, bad, point]),
+            (false, Settings { resolution_falloff: 0.5, ..settings.clone() }, vec![sun, spot, point]),
             (false, Settings { splits: 3, ..settings.clone() }, vec![sun, spot, point]),
             (false, Settings { storage: Storage::Atlas, ..settings.clone() }, vec![sun, spot, point]),
             (false, Settings { depth: DepthFormat::F32, ..settings.clone() }, vec![sun, spot, point]),

@@ -22,6 +22,8 @@ pub struct MapsKey {
     pub spot_splits: u32,
     /// Texels a side of a tile, for lights that say none of their own.
     pub resolution: u32,
+    /// How many texels a side each split's tile has of those of the split before.
+    pub resolution_falloff: f32,
     /// The format of a texel.
     pub depth: DepthFormat,
     /// Where the tiles lie.
@@ -80,6 +82,7 @@ struct PlanKey<'a> {
     distance: Option<f32>,
     near: Option<f32>,
     resolution: u32,
+    resolution_falloff: f32,
     depth: DepthFormat,
     storage: Storage,
     fit: Fit,
@@ -189,6 +192,7 @@ impl Settings {
             distance,
             near,
             resolution,
+            resolution_falloff,
             depth,
             storage,
             fit,
@@ -225,6 +229,7 @@ impl Settings {
                 distance,
                 near,
                 resolution,
+                resolution_falloff,
                 depth,
                 storage,
                 fit,
@@ -257,7 +262,16 @@ impl Settings {
                 contact,
             },
             caster: CasterKey { depth, flattens, faces, raster_constant, raster_slope, draws_second },
-            maps: MapsKey { splits, spot_splits, resolution, depth, storage, depth_layer, stored },
+            maps: MapsKey {
+                splits,
+                spot_splits,
+                resolution,
+                resolution_falloff,
+                depth,
+                storage,
+                depth_layer,
+                stored,
+            },
         }
     }
 }

@@ -16,6 +16,7 @@ use crate::warp::Warp;
 
 pub use bias::{Bias, CasterFaces, DepthLayer};
 pub use limits::{MAX_LIGHTS, MAX_SPLITS};
+pub(crate) use maps::{LARGEST_TILE, LEAST_TILE};
 pub use maps::{DepthFormat, Select, Storage};
 pub use shade::Shade;
 pub use splits::Scheme;
@@ -49,6 +50,9 @@ pub struct Settings {
     pub near: Option<f32>,
     /// The side of each view's tile, from 16 to 16384 texels. The default is 1448.
     pub resolution: u32,
+    /// How many texels a side each split's tile has of those of the split before, from 0.25 to 2 times; 1, the default, gives all
+    /// splits the same. Less saves memory where tiles lie in an atlas (Tadamura et al. 2001).
+    pub resolution_falloff: f32,
     /// The format of a texel. The default is [`DepthFormat::U16`].
     pub depth: DepthFormat,
     /// Where the views' tiles lie. The default is [`Storage::Array`].
@@ -96,7 +100,8 @@ impl Default for Settings {
             manual: Vec::new(),
             distance: None,
             near: None,
-            resolution: 1448,        // 4 × 1448² × 2 bytes = 16 MiB
+            resolution: 1448, // 4 × 1448² × 2 bytes = 16 MiB
+            resolution_falloff: 1.0,
             depth: DepthFormat::U16, // twice the texels leave a fifth less error: docs/decisions/0041
             storage: Storage::Array,
             fit: Fit::Scene,
@@ -136,6 +141,7 @@ impl Settings {
             distance,
             near,
             resolution,
+            resolution_falloff,
             depth: _,
             storage: _,
             fit,
@@ -160,6 +166,7 @@ impl Settings {
         splits::DISTANCE.check_given(*distance)?;
         splits::NEAR.check_given(*near)?;
         check_resolution(*resolution)?;
+        maps::RESOLUTION_FALLOFF.check(*resolution_falloff)?;
         for (still, this) in [(Fit::Stable, "`fit = \"stable\"`"), (Fit::World, "`fit = \"world\"`")] {
             if *fit == still && *warp != Warp::None {
                 let why = "a warp follows the camera, and such a map does not";

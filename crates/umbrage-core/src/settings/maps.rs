@@ -67,6 +67,7 @@ pub enum Select {
 
 pub(crate) const KEYS: &[Key] = &[
     RESOLUTION,
+    RESOLUTION_FALLOFF,
     DEPTH,
     STORAGE,
     FIT,
@@ -87,7 +88,29 @@ pub(super) const RESOLUTION: Key = Key {
            Twice as many make edges half as coarse, and cost four times the memory.",
     unit: "texels",
     costs: &[Cost::Plan, Cost::Maps],
-    values: Values::Whole { min: 16, max: 16384, only: &[], slide: [256, 4096], logarithmic: true },
+    values: Values::Whole {
+        min: LEAST_TILE as i64,
+        max: LARGEST_TILE as i64,
+        only: &[],
+        slide: [256, 4096],
+        logarithmic: true,
+    },
+    ..BASE
+};
+
+/// The least side of a tile, and the largest, texels.
+pub(crate) const LEAST_TILE: u32 = 16;
+pub(crate) const LARGEST_TILE: u32 = 16384;
+
+pub(super) const RESOLUTION_FALLOFF: Key = Key {
+    name: "resolution_falloff",
+    label: "falloff",
+    help: "How many texels a side each split has of those of the split before. \
+           Less makes what is far coarser, and saves memory where `storage` is `atlas`.",
+    source: "Tadamura et al. 2001",
+    unit: "times",
+    costs: &[Cost::Plan, Cost::Maps],
+    values: Values::ratio(0.25, 2.0, [0.25, 2.0]),
     ..BASE
 };
 
