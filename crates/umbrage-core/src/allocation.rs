@@ -7,7 +7,9 @@ use arrayvec::ArrayVec;
 
 use crate::error::SettingsError;
 use crate::light::{FACES, Light, LightKind};
-use crate::settings::{DepthFormat, LARGEST_TILE, LEAST_TILE, MAX_SPLITS, Settings, Storage, check_resolution};
+use crate::settings::{
+    DepthFormat, LARGEST_TILE, LEAST_TILE, MAX_SPLITS, Settings, Storage, check_resolution,
+};
 
 use arrange::arrange;
 

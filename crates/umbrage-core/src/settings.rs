@@ -16,8 +16,8 @@ use crate::warp::Warp;
 
 pub use bias::{Bias, CasterFaces, DepthLayer};
 pub use limits::{MAX_LIGHTS, MAX_SPLITS};
-pub(crate) use maps::{LARGEST_TILE, LEAST_TILE};
 pub use maps::{DepthFormat, Select, Storage};
+pub(crate) use maps::{LARGEST_TILE, LEAST_TILE};
 pub use shade::Shade;
 pub use splits::Scheme;
 pub use transparent::TransparentCasters;

@@ -17,13 +17,13 @@ fn seen_surface(base: vec3f, receiver: Receiver, facing: vec3f) -> vec4f {
         return vec4f(min(base, vec3f(1.0)), 1.0);
     }
     let toward_eye = -receiver.from_eye * inverseSqrt(max(dot(receiver.from_eye, receiver.from_eye), 1e-30));
-    var light = light_around(surface, toward_eye);
+    var shading = umbrage_shading(light_around(surface, toward_eye));
     for (var i = 0u; i < scene.light_count; i++) {
         let arriving = arriving_light(scene.lights[i], scene.eye + receiver.from_eye);
         if dot(surface.normal, arriving.direction) > 0.0 && any(arriving.colour > vec3f(0.0)) {
             let lit = arriving.colour * reflected(surface, toward_eye, arriving.direction);
-            light = umbrage_shade(light, lit, visibility_at(i, receiver, facing));
+            shading = umbrage_add_light(shading, lit, visibility_at(i, receiver, facing));
         }
     }
-    return vec4f(tone_mapped(through_haze(light, receiver.from_eye)), 1.0);
+    return vec4f(tone_mapped(through_haze(umbrage_shaded(shading), receiver.from_eye)), 1.0);
 }

@@ -1,7 +1,7 @@
 //! What a window asks of a renderer: frames without waiting, maps as pictures, marks on surfaces, plans of another camera.
 
 use glam::Vec3;
-use umbrage_render::umbrage::{Settings, Warp};
+use umbrage_render::umbrage::{Settings, Shade, Warp};
 use umbrage_render::{ComingPicture, Frame, Gpu, MapLook, Mark, Picture, Renderer, Show};
 use umbrage_scene::{Camera, Scene};
 
@@ -113,4 +113,30 @@ fn marks_change_surfaces_and_not_the_sky() {
         assert_ne!(pixel(&marked, last), pixel(&plain, last), "{mark:?}: the ground changes");
         assert_eq!(pixel(&marked, 0), pixel(&plain, 0), "{mark:?}: the sky does not");
     }
+}
+
+#[test]
+fn the_colour_of_shadows_does_not_depend_on_the_order_of_lights() {
+    let gpu = gpu();
+    let mut scene = umbrage_scene::worlds::build("night-chessboard", 0).expect("a built-in world");
+    scene.lights.truncate(4);
+    let shade = Shade::Colour { shadow_colour: [0.0, 0.0, 0.3, 0.7], darkness: 0.9 };
+    let settings = Settings { resolution: 256, shade, ..Settings::default() };
+    let picture = |lights: &[umbrage_scene::Light]| {
+        let mut renderer = Renderer::new(&gpu, &scene, settings.clone()).expect("a renderer");
+        let frame = Frame::of(&scene.cameras[0], lights, &Default::default(), [160, 96], Show::World);
+        renderer
+            .render(&frame.expect("a camera and lights"))
+            .expect("a frame")
+            .drawn
+            .picture()
+            .expect("a picture")
+    };
+    let forth = picture(&scene.lights);
+    let back = picture(&scene.lights.iter().rev().cloned().collect::<Vec<_>>());
+    let coloured = picture(&scene.lights[..1]);
+    assert_ne!(forth.rgba, coloured.rgba, "the lights matter");
+    // Sums of floats in another order may round another way.
+    let most = forth.rgba.iter().zip(&back.rgba).map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(most <= Some(1), "{most:?} steps");
 }

@@ -12,8 +12,9 @@ use crate::link::{Recipe, link};
 const IN_EVERY_RECEIVER: &[&str] = &["frame", "light", "sampling/gradient_noise"];
 
 /// WGSL to put in front of a receiver's shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
-/// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`. Its bindings are group `group` of the
-/// pipeline: [`receiver_bindings`].
+/// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`, and for several lights
+/// `umbrage_shading(ambient)`, `umbrage_add_light(shading, lit, visibility)` and `umbrage_shaded(shading) -> vec3f`. Its bindings
+/// are group `group` of the pipeline: [`receiver_bindings`].
 pub fn receiver(key: &ShaderKey, group: u32) -> String {
     said(receiver_with(key, group, &[]))
 }
