@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use umbrage_render::RenderError;
+use umbrage_rivals::RivalError;
 use umbrage_scene::SceneError;
 
 use crate::settings::WrongSettings;
@@ -56,6 +57,9 @@ pub enum LabError {
     /// A picture cannot be drawn.
     #[error(transparent)]
     Render(#[from] RenderError),
+    /// A family of shadows cannot be used.
+    #[error(transparent)]
+    Rival(#[from] RivalError),
     /// Pictures of one view are of different sizes.
     #[error("{name} is {} x {} pixels, need {} x {}", got.0, got.1, wanted.0, wanted.1)]
     Sizes {

@@ -10,6 +10,7 @@ use std::path::Path;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use umbrage::Settings;
+use umbrage_rivals::Family;
 
 use self::source::Source;
 use crate::path::{Motion, Watch};
@@ -94,6 +95,10 @@ pub struct Variant {
     /// points by default.
     #[serde(default)]
     pub area: Option<AreaLight>,
+    /// Another family of shadows than maps, as `{ kind = "volumes" }`; the settings are those of the maps that serve what it leaves.
+    /// Maps by default.
+    #[serde(default)]
+    pub family: Option<Family>,
     /// One setting that takes several values in turn; none by default.
     #[serde(default)]
     pub sweep: Option<Sweep>,

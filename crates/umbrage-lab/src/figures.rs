@@ -14,6 +14,8 @@ pub enum Format {
     Pixels,
     /// A time is written in milliseconds.
     Milliseconds,
+    /// Seconds.
+    Seconds,
     /// A number of bytes is written in MiB.
     Bytes,
     /// A count is written without decimals.
@@ -75,6 +77,9 @@ pub const ALL: &[Figure] = &[
     figure("milliseconds.filter.median", "filter", Format::Milliseconds),
     figure("milliseconds.shade.median", "shading", Format::Milliseconds),
     figure("milliseconds.frame.median", "frame time", Format::Milliseconds),
+    figure("shadows_milliseconds", "shadows", Format::Milliseconds),
+    figure("made_ready.seconds", "made ready", Format::Seconds),
+    figure("made_ready.left", "casters left", Format::Count),
     figure("flicker.flips", "flips", Format::Count),
     figure("flicker.flips_between_maps", "flips between maps", Format::Count),
     figure("flicker.flip_rate", "flip rate", Format::Percent),
@@ -164,6 +169,7 @@ impl Format {
             Self::Percent => "%",
             Self::Pixels => "px",
             Self::Milliseconds => "ms",
+            Self::Seconds => "s",
             Self::Bytes => "MiB",
             Self::Count | Self::Plain => "",
         }
@@ -174,7 +180,7 @@ impl Format {
         match self {
             Self::Percent => 100.0 * value,
             Self::Bytes => value / f64::from(1 << 20),
-            Self::Pixels | Self::Milliseconds | Self::Count | Self::Plain => value,
+            Self::Pixels | Self::Milliseconds | Self::Seconds | Self::Count | Self::Plain => value,
         }
     }
 
@@ -182,7 +188,7 @@ impl Format {
     pub fn number(self, value: f64) -> String {
         let decimals: usize = match self {
             Self::Percent | Self::Pixels => 3,
-            Self::Milliseconds | Self::Bytes => 2,
+            Self::Milliseconds | Self::Seconds | Self::Bytes => 2,
             Self::Count => 0,
             Self::Plain => 4,
         };

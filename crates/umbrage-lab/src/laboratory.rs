@@ -4,8 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use umbrage::{Settings, ShadowPlan};
+use umbrage_judge::statistics::Spread;
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Area, Frame, FrameTimes, Gpu, Picture, Rendered, Renderer, Show};
+use umbrage_render::{Frame, FrameTimes, Gpu, Picture, Rendered, Renderer, Show};
+use umbrage_rivals::Family;
 use umbrage_scene::{Pose, Scene};
 
 use crate::aliasing::Aliasing;
@@ -15,6 +17,7 @@ use crate::heat::heat_map;
 use crate::judgement::{Judgement, pooled, verdicts};
 use crate::measurement::{Measurement, Milliseconds};
 use crate::shot::Shot;
+use crate::technique::{OfFamily, Technique};
 use crate::truth_kind::TruthKind;
 use crate::truths::{Traced, Truths};
 
@@ -46,6 +49,8 @@ pub struct Laboratory<'a> {
     /// The scene's triangles, at the time they were last needed.
     world: Option<(Arc<Pose>, Arc<World>)>,
     truths: Truths,
+    /// The families of shadows that were asked for.
+    families: Vec<(Family, OfFamily)>,
 }
 
 impl<'a> Laboratory<'a> {
@@ -57,7 +62,7 @@ impl<'a> Laboratory<'a> {
         let mut renderer = Renderer::new(gpu, scene, Settings::default())?;
         // What is measured is what maps cost that are drawn, and of each frame by itself.
         (renderer.keep_tiles, renderer.hold_plans) = (false, false);
-        Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default() })
+        Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default(), families: Vec::new() })
     }
 
     /// The scene.
@@ -75,8 +80,7 @@ impl<'a> Laboratory<'a> {
         &mut self.renderer
     }
 
-    /// Draws and judges a picture, and draws it `frames` times more for their times. With an area, lights have that size,
-    /// and visibility is the mean over their samples.
+    /// Draws and judges a picture, and draws it `frames` times more for their times, with shadow maps or by another technique.
     ///
     /// # Errors
     /// When the camera, a light or the settings cannot be used, or drawing fails; the error names the value.
@@ -84,7 +88,7 @@ impl<'a> Laboratory<'a> {
         &mut self,
         shot: &Shot,
         settings: &Settings,
-        area: Option<Area>,
+        mut technique: Option<&mut dyn Technique>,
         kind: TruthKind,
         frames: u32,
     ) -> Result<Judged, LabError> {
@@ -92,15 +96,21 @@ impl<'a> Laboratory<'a> {
         // What a picture shows does not depend on those before.
         self.renderer.forget_looks();
         let frame = shot.frame(Show::World)?;
-        let visibility = self.visibility(&frame, area)?;
+        let visibility = match &mut technique {
+            None => self.visibility(&frame)?,
+            Some(technique) => technique.visibility(&mut self.renderer, shot)?,
+        };
         let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
         let plan = drawn.plan().clone();
-        let shaded = match area {
+        let shaded = match technique {
             None => drawn.picture()?,
             Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
         };
         drop(drawn);
-        let times = self.times(&frame, area, frames)?;
+        let times = self.times(shot, &mut technique, frames)?;
+        let without = (0..frames)
+            .map(|_| Ok(self.renderer.render(&Frame { show: Show::Unshadowed, ..frame.clone() })?.times))
+            .collect::<Result<Vec<_>, LabError>>()?;
 
         let start = web_time::Instant::now();
         let world = self.world_in(&shot.pose);
@@ -131,7 +141,11 @@ impl<'a> Laboratory<'a> {
             adapter: self.gpu.adapter.to_string(),
             settings: settings.clone(),
             texels: layout.texels(),
-            bytes: self.renderer.shadows().bytes(),
+            bytes: match &technique {
+                None => self.renderer.shadows().bytes(),
+                Some(technique) => technique.bytes(&self.renderer),
+            },
+            made_ready: technique.as_ref().and_then(|technique| technique.made_ready()),
             truth: pooled(&judgements),
             error,
             sub_pixel: None,
@@ -146,6 +160,7 @@ impl<'a> Laboratory<'a> {
                 .map(|judgement| judgement.around_cuts.clone())
                 .unwrap_or_default(),
             milliseconds: (!times.is_empty()).then(|| Milliseconds::of(&times)),
+            shadows_milliseconds: cost(&times, &without),
             every_frame: times
                 .iter()
                 .map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter, t.deform])
@@ -246,27 +261,49 @@ impl<'a> Laboratory<'a> {
         Ok(self.renderer.render(&Frame { show, ..frame.clone() })?.drawn.picture()?)
     }
 
-    /// The visibility of every pixel, one list for each light.
-    fn visibility(&mut self, frame: &Frame, area: Option<Area>) -> Result<Vec<Vec<f32>>, LabError> {
-        let of_light = |light| match area {
-            None => Ok(self.picture(frame, Show::Visibility(light))?.visibility()),
-            Some(area) => Ok(self.renderer.area(frame, light, area)?.visibility),
-        };
+    /// The visibility of every pixel by shadow maps, one list for each light.
+    fn visibility(&mut self, frame: &Frame) -> Result<Vec<Vec<f32>>, LabError> {
+        let of_light = |light| Ok(self.picture(frame, Show::Visibility(light))?.visibility());
         (0..frame.lights.len()).map(of_light).collect()
     }
 
-    /// Times of `frames` frames, each with all samples of all lights where those have some size.
-    fn times(&mut self, frame: &Frame, area: Option<Area>, frames: u32) -> Result<Vec<FrameTimes>, LabError> {
-        let once = |_| {
-            let Some(area) = area else { return Ok(self.renderer.render(frame)?.times) };
-            let mut times = FrameTimes::default();
-            for light in 0..frame.lights.len() {
-                times += self.renderer.area(frame, light, area)?.times;
-            }
-            Ok(times)
+    /// Times of `frames` frames.
+    fn times(
+        &mut self,
+        shot: &Shot,
+        technique: &mut Option<&mut dyn Technique>,
+        frames: u32,
+    ) -> Result<Vec<FrameTimes>, LabError> {
+        let frame = shot.frame(Show::World)?;
+        let once = |_| match technique {
+            None => Ok(self.renderer.render(&frame)?.times),
+            Some(technique) => technique.times(&mut self.renderer, shot),
         };
         (0..frames).map(once).collect()
     }
+
+    /// Takes a family of shadows, which is made ready for the scene when it is first asked for; give it back with
+    /// [`Self::keep_family`].
+    pub(crate) fn take_family(&mut self, family: Family) -> Result<OfFamily, LabError> {
+        match self.families.iter().position(|(kept, _)| *kept == family) {
+            Some(kept) => Ok(self.families.swap_remove(kept).1),
+            None => OfFamily::ready(self.gpu, self.scene, family),
+        }
+    }
+
+    /// Keeps a family of shadows for the next time.
+    pub(crate) fn keep_family(&mut self, family: Family, ready: OfFamily) {
+        self.families.push((family, ready));
+    }
+}
+
+/// What shadows cost a frame in the median, milliseconds: all passes with them, less all without; `None` where nothing was timed.
+fn cost(with: &[FrameTimes], without: &[FrameTimes]) -> Option<f64> {
+    let median = |times: &[FrameTimes]| {
+        let passes = |t: &FrameTimes| t.plan + t.deform + t.casters + t.filter + t.shade;
+        (!times.is_empty()).then(|| Spread::of(times.iter().map(passes).collect()).median)
+    };
+    Some(median(with)? - median(without)?)
 }
 
 /// How deep shadows reach, metres.

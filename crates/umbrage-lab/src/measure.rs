@@ -14,6 +14,7 @@ use crate::laboratory::Laboratory;
 use crate::measurement::{Machine, Outcome, Pictures};
 use crate::run::{AreaLight, Run};
 use crate::shot::Shot;
+use crate::technique::Technique;
 use crate::truth_kind::TruthKind;
 
 impl Machine {
@@ -36,8 +37,17 @@ impl Laboratory<'_> {
     /// As [`Laboratory::judge`], and when the world has no such camera or no light.
     pub fn measure(&mut self, run: &Run) -> Result<Outcome, LabError> {
         let shot = shot(self.scene(), run)?;
-        let area = run.area.as_ref().map(AreaLight::area).transpose()?;
-        let mut judged = self.judge(&shot, &run.settings, area, TruthKind::Hard, run.frames)?;
+        let mut area = run.area.as_ref().map(AreaLight::area).transpose()?;
+        let mut family = run.family.map(|family| Ok::<_, LabError>((family, self.take_family(family)?))).transpose()?;
+        let technique: Option<&mut dyn Technique> = match (&mut family, &mut area) {
+            (Some((_, family)), _) => Some(family),
+            (None, Some(area)) => Some(area),
+            (None, None) => None,
+        };
+        let mut judged = self.judge(&shot, &run.settings, technique, TruthKind::Hard, run.frames)?;
+        if let Some((family, ready)) = family {
+            self.keep_family(family, ready);
+        }
         for truth in &run.truths {
             let deviation = self.deviation(&shot, &judged, truth.kind(run.light_points));
             *judged.measurement.deviation_mut(*truth) = deviation;

@@ -31,6 +31,9 @@ pub struct Measurement {
     pub texels: u64,
     /// The bytes of all shadow maps, and of what is made of them to be read.
     pub bytes: u64,
+    /// What it took to make another family of shadows than maps ready; absent for maps.
+    #[serde(default)]
+    pub made_ready: Option<MadeReady>,
     /// The counts of the truth.
     pub truth: TruthCounts,
     /// The error of the picture, all lights together; absent where no pixel is judged.
@@ -53,6 +56,10 @@ pub struct Measurement {
     pub around_cuts: Vec<[DepthBand; 2]>,
     /// The times of a frame's stages; absent where nothing was timed.
     pub milliseconds: Option<Milliseconds>,
+    /// What shadows cost a frame in the median, in milliseconds: all passes with them, less all without; absent where nothing was
+    /// timed.
+    #[serde(default)]
+    pub shadows_milliseconds: Option<f64>,
     /// The times of every timed frame in milliseconds, in order: plan, casters, shade, frame, filter,
     /// bending.
     pub every_frame: Vec<[f64; 6]>,
@@ -69,6 +76,15 @@ impl Measurement {
             SmoothTruth::WideSun => &mut self.wide_sun,
         }
     }
+}
+
+/// What it took to make a family of shadows ready for a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MadeReady {
+    /// The time that it took, in seconds.
+    pub seconds: f64,
+    /// The number of casters that the family leaves to maps.
+    pub left: usize,
 }
 
 /// The figures of one light's shadows.

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use umbrage::Settings;
 use umbrage_render::{Area, RenderError};
+use umbrage_rivals::Family;
 
 use crate::path::{Motion, Watch};
 use crate::truth_kind::SmoothTruth;
@@ -24,6 +25,8 @@ pub struct Run {
     pub settings: Settings,
     /// The size of the lights, which takes many maps a picture; absent, lights are points with one map each.
     pub area: Option<AreaLight>,
+    /// The family of shadows that stands in for maps; absent, shadows are by maps.
+    pub family: Option<Family>,
     /// The truths that visibility is compared with besides the hard truth.
     pub truths: Vec<SmoothTruth>,
     /// The number of points of each light that a soft truth is the mean of.

@@ -76,6 +76,7 @@ pub fn check(
     }
     for (i, variant) in variants.iter().enumerate() {
         check_area(source, i, variant.area, motions)?;
+        check_family(source, i, variant, motions)?;
         check_variant(source, i, variant, worlds)?;
     }
     for (i, column) in columns.iter().enumerate() {
@@ -199,8 +200,20 @@ fn check_area(source: &Source<'_>, i: usize, area: Option<AreaLight>, motions: &
     })
 }
 
+fn check_family(source: &Source<'_>, i: usize, variant: &Variant, motions: &[Motion]) -> Checked {
+    let refusal = |other: &str| {
+        let wrong = format!("another family of shadows has no {other}: leave out `family` or `{other}`");
+        Err(source.refusal(&[Key("variants"), Item(i), Key("family")], wrong))
+    };
+    match variant.family {
+        Some(_) if variant.area.is_some() => refusal("area"),
+        Some(_) if !motions.is_empty() => refusal("motions"),
+        Some(_) | None => Ok(()),
+    }
+}
+
 fn check_variant(source: &Source<'_>, i: usize, variant: &Variant, worlds: &[String]) -> Checked {
-    let Variant { name: _, preset: _, set: _, area: _, sweep, reported } = variant;
+    let Variant { name: _, preset: _, set: _, area: _, family: _, sweep, reported } = variant;
     for world in reported.keys() {
         known(source, &[Key("variants"), Item(i), Key("reported"), Key(world)], "world", world, worlds)?;
     }

@@ -57,6 +57,7 @@ impl Experiment {
                         repeat,
                         settings: settings.clone(),
                         area: self.variants[*variant].area,
+                        family: self.variants[*variant].family,
                         truths: self.truths.clone(),
                         light_points: self.light_points,
                         size: self.size,
