@@ -5,20 +5,26 @@ use umbrage_scene::Scene;
 
 use crate::error::RivalError;
 use crate::rival::Rival;
+use crate::volumes::Volumes;
 
 /// A family of shadows beside maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
 #[non_exhaustive]
-pub enum Family {}
+pub enum Family {
+    /// Shadow volumes of closed meshes, counted in the stencil behind what is seen.
+    Volumes {},
+}
 
 impl Family {
     /// Makes the family ready for a scene.
     ///
     /// # Errors
     /// When something that it needs exceeds the device's limits.
-    pub fn ready(self, _gpu: &Gpu, _scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
-        match self {}
+    pub fn ready(self, gpu: &Gpu, scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
+        match self {
+            Self::Volumes {} => Ok(Box::new(Volumes::new(gpu, scene)?)),
+        }
     }
 }

@@ -6,12 +6,20 @@
 //!
 //! | family | what it is |
 //! |---|---|
+//! | [`Family::Volumes`] | shadow volumes (Crow 1977) counted behind what is seen: exact, for closed solid meshes |
 //!
 //! This crate does not: make a shadow map or know a setting of one, judge, or write files.
 
+mod buffers;
+mod canvas;
 mod error;
+mod eye;
 mod family;
+mod receivers;
 mod rival;
+mod shining;
+mod stopwatch;
+mod volumes;
 
 pub use error::RivalError;
 pub use family::Family;
