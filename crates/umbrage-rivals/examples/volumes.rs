@@ -1,12 +1,12 @@
 //! What a family of shadows does in built-in worlds: who is served, how much is wrong, how long it takes.
 //!
-//! `cargo run --release -p umbrage-rivals --example volumes -- [--pictures FOLDER] WORLD…`
+//! `cargo run --release -p umbrage-rivals --example volumes -- [--family FAMILY] [--pictures FOLDER] WORLD…`
 
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
 
-use umbrage_judge::{Eye, Light as Shining, Truth, Verdict, World};
+use umbrage_judge::{Eye, Light as Shining, Pixel, Truth, Verdict, World};
 use umbrage_render::Gpu;
 use umbrage_rivals::{Family, Left, Seen, View};
 use umbrage_scene::{Scene, worlds};
@@ -14,23 +14,32 @@ use umbrage_scene::{Scene, worlds};
 const SIZE: [u32; 2] = [640, 360];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut worlds: Vec<String> = std::env::args().skip(1).collect();
-    let pictures = match worlds.first().map(String::as_str) {
-        Some("--pictures") if worlds.len() > 1 => worlds.drain(..2).next_back(),
-        _ => None,
-    };
+    let (mut worlds, mut pictures, mut family) = (Vec::new(), None, "volumes".to_owned());
+    let mut words = std::env::args().skip(1);
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            "--pictures" => pictures = words.next(),
+            "--family" => family = words.next().unwrap_or_default(),
+            _ => worlds.push(word),
+        }
+    }
     let gpu = Gpu::new(None)?;
-    println!("{}", gpu.adapter);
+    println!("{family} on {}", gpu.adapter);
+    let family = match family.as_str() {
+        "planar" => Family::Planar {},
+        "volumes" => Family::Volumes {},
+        other => return Err(format!("no family is called `{other}`").into()),
+    };
     for name in worlds {
-        measure(&gpu, &name, pictures.as_deref())?;
+        measure(&gpu, family, &name, pictures.as_deref())?;
     }
     Ok(())
 }
 
-fn measure(gpu: &Gpu, name: &str, pictures: Option<&str>) -> Result<(), Box<dyn Error>> {
+fn measure(gpu: &Gpu, family: Family, name: &str, pictures: Option<&str>) -> Result<(), Box<dyn Error>> {
     let scene = worlds::build(name, 1).ok_or_else(|| format!("no world is called `{name}`"))?;
     let start = Instant::now();
-    let mut rival = Family::Volumes {}.ready(gpu, &scene)?;
+    let mut rival = family.ready(gpu, &scene)?;
     let set_up = start.elapsed().as_secs_f64();
     let casting = scene.instances.iter().filter(|instance| instance.casts).count();
     let left = rival.left().to_vec();
@@ -72,26 +81,29 @@ fn judge(
     let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
     for (light, seen) in view.lights.iter().zip(&seen.visibility) {
         let truth = Truth::new(&world, &eye, &Shining::at(light, view.pose), f64::INFINITY);
-        let verdicts: Vec<_> = truth
-            .pixels
-            .iter()
-            .zip(seen)
-            .map(|(pixel, seen)| Verdict::new(Some(*pixel), seen.unwrap_or(1.0)))
-            .collect();
-        let count = |wanted: Verdict| verdicts.iter().filter(|verdict| **verdict == wanted).count();
+        let pixels = truth.pixels.iter().zip(seen);
+        let verdict =
+            |(pixel, seen): (&Pixel, &Option<f32>)| seen.map(|seen| Verdict::new(Some(*pixel), seen));
+        let verdicts: Vec<Option<Verdict>> = pixels.clone().map(verdict).collect();
+        let judged = pixels.filter(|(pixel, seen)| pixel.is_judged() && seen.is_some()).count();
+        let count = |wanted: Verdict| verdicts.iter().filter(|verdict| **verdict == Some(wanted)).count();
         let (light_wrong, shadow_wrong) = (count(Verdict::FalseLight), count(Verdict::FalseShadow));
-        let share = 100.0 * (light_wrong + shadow_wrong) as f64 / truth.judged().max(1) as f64;
         println!(
-            "  {}: {share:.4} % of {} wrong, {light_wrong} falsely lit, {shadow_wrong} falsely in shadow; {} truly in shadow",
+            "  {}: {:.4} % wrong of {judged} that are known of {} judged, {light_wrong} falsely lit, {shadow_wrong} falsely in \
+             shadow; {} truly in shadow",
             light.name,
+            100.0 * (light_wrong + shadow_wrong) as f64 / judged.max(1) as f64,
             truth.judged(),
-            truth.count(umbrage_judge::Pixel::Shadowed),
+            truth.count(Pixel::Shadowed),
         );
         if let Some(folder) = pictures {
             let picture = image::RgbImage::from_fn(SIZE[0], SIZE[1], |x, y| {
                 let i = (y * SIZE[0] + x) as usize;
-                let grey = (seen[i].unwrap_or(0.5) * 255.0) as u8;
-                image::Rgb(if verdicts[i].is_wrong() { [255, grey / 2, 0] } else { [grey; 3] })
+                let grey = seen[i].map(|seen| (seen * 255.0) as u8);
+                let is_wrong = verdicts[i].is_some_and(Verdict::is_wrong);
+                image::Rgb(
+                    grey.map_or([0, 0, 160], |grey| if is_wrong { [255, grey / 2, 0] } else { [grey; 3] }),
+                )
             });
             picture.save(format!("{folder}/{}-{}.png", scene.name, light.name))?;
         }

@@ -1,11 +1,4 @@
-// What the camera sees, as the passes of a picture read it. It needs `shot.wgsl` and `whole_picture.wgsl`.
-
-@group(0) @binding(1) var receivers: texture_depth_2d;
-
-/// The depth of what a pixel shows; 0 for the sky.
-fn seen_depth(clip: vec4f) -> f32 {
-    return textureLoad(receivers, vec2i(clip.xy), 0);
-}
+// What shadow volumes make of what the camera sees. It needs `shot.wgsl`, `whole_picture.wgsl` and `receivers.wgsl`.
 
 /// The depth of a pixel as if the far plane were infinitely far: so nothing is ever behind it. Parallel rays
 /// have no such depth, and theirs is as it was.

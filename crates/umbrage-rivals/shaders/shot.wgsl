@@ -24,6 +24,8 @@ struct Shot {
     range: f32,
     /// The number of corners that a piece of a volume has: 3 under a sun, 6 otherwise.
     corners: u32,
+    /// The tangent of half the angle that a sun is seen under, or the radius of a lamp; 0 of a point.
+    size: f32,
 }
 
 @group(0) @binding(0) var<uniform> shot: Shot;

@@ -2,52 +2,12 @@
 //!
 //! A pixel is lit until its count differs from zero, where the light shines at what it shows; the sky is lit.
 
-use encase::{ShaderType, UniformBuffer};
-use glam::{Vec3, Vec4};
 use umbrage_render::{Gpu, RenderError};
 
 use crate::buffers::{bind, module};
-use crate::eye::Eye;
-use crate::shining::Shining;
+use crate::picture::{Picture, over_all, texture};
+use crate::shot::{self, RECEIVERS, SHOT, WHOLE_PICTURE};
 
-/// What the shaders know of a picture, as `shot.wgsl` has it.
-#[derive(Clone, Copy, Debug, ShaderType)]
-pub(crate) struct Shot {
-    right: Vec3,
-    is_parallel: u32,
-    up: Vec3,
-    near: f32,
-    forward: Vec3,
-    far: f32,
-    light: Vec4,
-    axis: Vec3,
-    cos_outer: f32,
-    range: f32,
-    corners: u32,
-}
-
-impl Shot {
-    pub fn new(eye: &Eye, light: &Shining) -> Self {
-        Self {
-            right: eye.right.as_vec3(),
-            is_parallel: u32::from(eye.is_parallel),
-            up: eye.up.as_vec3(),
-            near: eye.depths[0] as f32,
-            forward: eye.forward.as_vec3(),
-            far: eye.depths[1] as f32,
-            light: light.from(eye.place).as_vec4(),
-            axis: light.axis.as_vec3(),
-            cos_outer: light.cos_outer as f32,
-            // Shaders know no infinity.
-            range: light.range.min(f64::from(f32::MAX)) as f32,
-            corners: if light.is_sun() { 3 } else { 6 },
-        }
-    }
-}
-
-/// The texts of shaders that know what is seen.
-pub(crate) const SHOT: &str = include_str!("../shaders/shot.wgsl");
-pub(crate) const WHOLE_PICTURE: &str = include_str!("../shaders/whole_picture.wgsl");
 const SEEN: &str = include_str!("../shaders/seen.wgsl");
 
 /// The pipelines of pictures of any size.
@@ -64,7 +24,7 @@ pub(crate) struct Painter {
 pub(crate) struct Canvas {
     pub size: [u32; 2],
     depth: wgpu::TextureView,
-    visibility: wgpu::Texture,
+    visibility: Picture,
 }
 
 /// The finest depth with a stencil that the device has.
@@ -80,7 +40,7 @@ const VISIBILITY: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
 impl Painter {
     pub fn new(gpu: &Gpu) -> Self {
-        let shader = module(gpu, "Painter::seen", &[SHOT, WHOLE_PICTURE, SEEN]);
+        let shader = module(gpu, "Painter::seen", &[SHOT, WHOLE_PICTURE, RECEIVERS, SEEN]);
         let format = depth_stencil_format(gpu);
         let depth = wgpu::DepthStencilState {
             format,
@@ -95,52 +55,23 @@ impl Painter {
         };
         let stencil = wgpu::StencilState { front: counted, back: counted, read_mask: 0xff, write_mask: 0 };
         let shadow = wgpu::DepthStencilState { depth_write_enabled: Some(false), stencil, ..depth };
-        let shot = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("Painter::shot"),
-            size: Shot::min_size().get(),
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
         let target = Some(VISIBILITY.into());
         Self {
-            shot,
-            depth: over_all(gpu, &shader, "endless_depth", depth, &[]),
-            shadow: over_all(gpu, &shader, "shadowed", shadow, &[target]),
+            shot: shot::buffer(gpu),
+            depth: over_all(gpu, &shader, "endless_depth", Some(depth), &[]),
+            shadow: over_all(gpu, &shader, "shadowed", Some(shadow), &[target]),
         }
     }
 
     /// Makes the textures of a picture.
     pub fn canvas(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Canvas, RenderError> {
-        let texture = |label, format, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
-                view_formats: &[],
-            })
-        };
         gpu.allocate("the picture", || {
-            let depth = texture("Canvas::depth", depth_stencil_format(gpu), wgpu::TextureUsages::empty());
-            let visibility = texture("Canvas::visibility", VISIBILITY, wgpu::TextureUsages::COPY_SRC);
-            Ok::<_, RenderError>(Canvas {
-                size,
-                depth: depth.create_view(&wgpu::TextureViewDescriptor::default()),
-                visibility,
-            })
+            let none = wgpu::TextureUsages::empty();
+            let depth = texture(gpu, "Canvas::depth", size, depth_stencil_format(gpu), none);
+            let depth = depth.create_view(&wgpu::TextureViewDescriptor::default());
+            let visibility = Picture::new(gpu, "Canvas::visibility", size, VISIBILITY);
+            Ok::<_, RenderError>(Canvas { size, depth, visibility })
         })
-    }
-
-    /// Says what the next picture shows.
-    pub fn upload(&self, gpu: &Gpu, shot: &Shot) {
-        let mut bytes = UniformBuffer::new(Vec::new());
-        // What is in memory fits into memory.
-        if bytes.write(shot).is_ok() {
-            gpu.queue.write_buffer(&self.shot, 0, &bytes.into_inner());
-        }
     }
 
     /// Begins a pass that counts: the depth of what is seen is drawn, and all counts are zero. The depth beyond which nothing
@@ -184,11 +115,10 @@ impl Painter {
         seen: &wgpu::TextureView,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        let view = canvas.visibility.create_view(&wgpu::TextureViewDescriptor::default());
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("Painter::shadow"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &view,
+                view: &canvas.visibility.view,
                 depth_slice: None,
                 resolve_target: None,
                 ops: wgpu::Operations {
@@ -227,62 +157,12 @@ impl Canvas {
 
     /// A copy of the visibility that was drawn, for [`Self::read`].
     pub fn copy(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> wgpu::Buffer {
-        let [width, height] = self.size;
-        let row = width.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("Canvas::copy"),
-            size: u64::from(row) * u64::from(height),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let layout =
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
-        encoder.copy_texture_to_buffer(
-            self.visibility.as_image_copy(),
-            wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
-            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        );
-        buffer
+        self.visibility.copy(gpu, encoder)
     }
 
     /// The visibility of every pixel, rows from top to bottom, waited for.
     pub fn read(&self, gpu: &Gpu, copy: wgpu::Buffer) -> Result<Vec<f32>, RenderError> {
-        let width = self.size[0] as usize;
-        let row = width.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
-        let visibility = |byte: &u8| f32::from(*byte) / 255.0;
-        gpu.read_mapped(copy, |bytes| {
-            bytes.chunks(row).flat_map(|row| row.iter().take(width)).map(visibility).collect()
-        })
+        let bytes = self.visibility.read(gpu, copy)?;
+        Ok(bytes.into_iter().map(|byte| f32::from(byte) / 255.0).collect())
     }
-}
-
-/// A pipeline that covers the picture.
-fn over_all(
-    gpu: &Gpu,
-    module: &wgpu::ShaderModule,
-    fragment: &str,
-    depth_stencil: wgpu::DepthStencilState,
-    targets: &[Option<wgpu::ColorTargetState>],
-) -> wgpu::RenderPipeline {
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(fragment),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("whole_picture"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(depth_stencil),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets,
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
 }

@@ -4,6 +4,7 @@ use umbrage_render::Gpu;
 use umbrage_scene::Scene;
 
 use crate::error::RivalError;
+use crate::planar;
 use crate::rival::Rival;
 use crate::volumes::Volumes;
 
@@ -15,6 +16,8 @@ use crate::volumes::Volumes;
 pub enum Family {
     /// Shadow volumes of closed meshes, counted in the stencil behind what is seen.
     Volumes {},
+    /// Planar projected shadows: casters flattened onto the largest planes of the scene.
+    Planar {},
 }
 
 impl Family {
@@ -24,6 +27,7 @@ impl Family {
     /// When something that it needs exceeds the device's limits.
     pub fn ready(self, gpu: &Gpu, scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
         match self {
+            Self::Planar {} => Ok(Box::new(planar::ready(gpu, scene)?)),
             Self::Volumes {} => Ok(Box::new(Volumes::new(gpu, scene)?)),
         }
     }

@@ -7,17 +7,26 @@
 //! | family | what it is |
 //! |---|---|
 //! | [`Family::Volumes`] | shadow volumes (Crow 1977) counted behind what is seen: exact, for closed solid meshes |
+//! | [`Family::Planar`] | casters flattened onto planes (Blinn 1988): exact on the largest planes, unknown elsewhere |
 //!
 //! This crate does not: make a shadow map or know a setting of one, judge, or write files.
 
 mod buffers;
 mod canvas;
+mod casters;
 mod error;
 mod eye;
 mod family;
+mod flat;
+mod floors;
+mod picture;
+mod planar;
+mod planes;
 mod receivers;
 mod rival;
+mod shell;
 mod shining;
+mod shot;
 mod stopwatch;
 mod volumes;
 

@@ -33,6 +33,15 @@ impl Stopwatch {
         })
     }
 
+    /// For a first render pass.
+    pub fn starts_drawing(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        self.queries.as_ref().map(|query_set| wgpu::RenderPassTimestampWrites {
+            query_set,
+            beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: None,
+        })
+    }
+
     /// For the last render pass.
     pub fn stops(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
         self.queries.as_ref().map(|query_set| wgpu::RenderPassTimestampWrites {

@@ -15,24 +15,23 @@
 //! A caster must be closed, solid and rigid. Of a caster near a lamp, triangles that lie within the lamp's near distance cast
 //! nothing; what lies within it in part casts whole.
 
-mod casters;
 mod passes;
 mod placed;
-mod shell;
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
 use web_time::Instant;
 
 use crate::buffers::Held;
-use crate::canvas::{Canvas, Painter, Shot};
+use crate::canvas::{Canvas, Painter};
+use crate::casters::Casters;
 use crate::error::RivalError;
 use crate::eye::Eye;
 use crate::receivers::Receivers;
 use crate::rival::{Left, Rival, Seen, View};
 use crate::shining::Shining;
+use crate::shot::Shot;
 use crate::stopwatch::Stopwatch;
-use casters::Casters;
 use passes::Passes;
 
 /// The shadow volumes of a scene.
@@ -52,7 +51,7 @@ impl Volumes {
     /// Makes the volumes of a scene ready.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, RivalError> {
         let mut held = Held::new(gpu);
-        let casters = Casters::of(scene);
+        let casters = Casters::of(scene, |shell| (!shell.closed).then_some("its mesh is open"));
         let painter = Painter::new(gpu);
         let left = casters.left.clone();
         let passes = Passes::new(gpu, &mut held, casters, &painter.shot)?;
@@ -81,7 +80,7 @@ impl Volumes {
             Some(same) => canvas.insert(same),
             None => canvas.insert(painter.canvas(gpu, view.size)?),
         };
-        painter.upload(gpu, &Shot::new(eye, light));
+        Shot::new(eye, light).write(gpu, &painter.shot);
         passes.place(gpu, eye, light, view.pose);
         let descriptor = wgpu::CommandEncoderDescriptor { label: Some("Volumes::light") };
         let mut encoder = gpu.device.create_command_encoder(&descriptor);

@@ -5,14 +5,15 @@ use glam::{UVec2, UVec4};
 use umbrage_render::Gpu;
 use umbrage_scene::{Instance, Pose};
 
-use super::casters::Casters;
 use super::placed::Placed;
-use super::shell::Shell;
 use crate::buffers::{Held, bind, module, storage_bytes};
-use crate::canvas::{SHOT, depth_stencil_format};
+use crate::canvas::depth_stencil_format;
+use crate::casters::Casters;
 use crate::error::RivalError;
 use crate::eye::Eye;
+use crate::shell::Shell;
 use crate::shining::Shining;
+use crate::shot::SHOT;
 
 /// The triangles or edges that a workgroup looks at.
 const CHUNK: u32 = 64;
@@ -54,8 +55,8 @@ impl Passes {
         shot: &wgpu::Buffer,
     ) -> Result<Self, RivalError> {
         // Of an edge that counts one triangle faces away and one does not: pieces are two for each triangle at most.
-        let pieces = 16 * casters.triangles();
         let lists = Lists::of(casters);
+        let pieces = 16 * lists.instances.iter().map(|(.., placed)| u64::from(placed.triangles)).sum::<u64>();
         let storage = wgpu::BufferUsages::STORAGE;
         let positions = held.filled("vertices of volumes", &lists.positions)?;
         let triangles = held.filled("triangles of volumes", &lists.triangles)?;

@@ -6,8 +6,8 @@ use encase::ShaderType;
 use glam::{DMat3, DMat4, DVec3, DVec4, Mat4, Vec3, Vec4};
 use umbrage_scene::{Instance, Pose};
 
-use super::shell::Shell;
 use crate::eye::Eye;
+use crate::shell::Shell;
 use crate::shining::Shining;
 
 /// An instance as shaders know it, in `instance.wgsl`.

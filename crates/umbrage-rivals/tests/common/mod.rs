@@ -163,6 +163,11 @@ impl Judged {
         (share(wrong), judged, share(shadowed))
     }
 
+    /// The number of pixels of a light of which nothing is said.
+    pub fn unknown(&self, light: usize) -> usize {
+        self.seen.visibility[light].iter().filter(|seen| seen.is_none()).count()
+    }
+
     /// Writes what was said as a picture, for eyes: unknown pixels are blue, wrong ones red.
     pub fn save(&self, light: usize, name: &str) {
         let mut picture = image::RgbImage::new(SIZE[0], SIZE[1]);

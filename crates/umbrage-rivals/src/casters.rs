@@ -1,4 +1,6 @@
-//! Which instances have shadow volumes, and why the others have none.
+//! Which instances a family can draw the shadows of, and why not the others.
+//!
+//! All of these families need geometry that is solid, and stands or moves rigidly.
 
 use std::collections::HashMap;
 
@@ -6,32 +8,36 @@ use glam::DMat4;
 use umbrage_render::{Cover, Covers};
 use umbrage_scene::{Instance, Mesh, Scene, WeldedMesh};
 
-use super::shell::Shell;
 use crate::rival::Left;
+use crate::shell::Shell;
 
 /// The casters of a scene.
 #[derive(Debug, Default)]
 pub(crate) struct Casters {
-    /// The closed meshes.
+    /// The meshes of what is served.
     pub shells: Vec<Shell>,
-    /// The instances that have a volume, each with the number of its shell.
+    /// The instances that are served, each with the number of its shell.
     pub served: Vec<(Instance, usize)>,
     /// The others that cast.
     pub left: Vec<Left>,
 }
 
 impl Casters {
-    pub fn of(scene: &Scene) -> Self {
+    /// Finds the casters of a scene. A family says of a mesh why it cannot be served.
+    pub fn of(scene: &Scene, refuse: impl Fn(&Shell) -> Option<&'static str>) -> Self {
         let mut casters = Self::default();
         let mut found: HashMap<usize, Option<Result<usize, &'static str>>> = HashMap::new();
         let mut covers = Covers::new(scene);
         for (number, instance) in scene.instances.iter().enumerate().filter(|(_, instance)| instance.casts) {
             let mesh = &scene.meshes[instance.mesh];
-            let shell = found.entry(instance.mesh).or_insert_with(|| {
+            let shell = *found.entry(instance.mesh).or_insert_with(|| {
                 let shell = shell(scene, mesh, &mut covers)?;
-                Some(shell.map(|shell| {
-                    casters.shells.push(shell);
-                    casters.shells.len() - 1
+                Some(shell.and_then(|shell| match refuse(&shell) {
+                    Some(why) => Err(why),
+                    None => {
+                        casters.shells.push(shell);
+                        Ok(casters.shells.len() - 1)
+                    }
                 }))
             });
             match shell.map(|shell| shell.and_then(|shell| stands(instance, mesh).map(|()| shell))) {
@@ -41,11 +47,6 @@ impl Casters {
             }
         }
         casters
-    }
-
-    /// The number of triangles of all volumes' instances together.
-    pub fn triangles(&self) -> u64 {
-        self.served.iter().map(|(_, shell)| self.shells[*shell].triangles.len() as u64).sum()
     }
 }
 
@@ -60,7 +61,7 @@ fn shell(scene: &Scene, mesh: &Mesh, covers: &mut Covers<'_>) -> Option<Result<S
     if !(0..mesh.parts.len()).filter(|part| casts(*part)).all(is_solid) {
         return Some(Err("parts of it are cut out by a mask or let light through"));
     }
-    Some(Shell::of(WeldedMesh::of(mesh, casts)).ok_or("its mesh is open"))
+    Some(Ok(Shell::of(WeldedMesh::of(mesh, casts))))
 }
 
 /// Whether an instance stands as its mesh is, rigidly moved or not.

@@ -1,12 +1,12 @@
-//! A closed mesh by its edges: each has a triangle on either side.
+//! A mesh by its edges: each has a triangle on its left, and mostly one on its right.
 //!
-//! Where more than two triangles meet at an edge, as where two boxes share one, they are paired: half of them have it on their
-//! left, since the mesh is closed, and any pairing gives the same volumes.
+//! Where more than two triangles meet at an edge, as where two boxes share one, they are paired. Half of them have it on their
+//! left where the mesh is closed, and any pairing gives the same shadows.
 
 use glam::{DVec3, Vec3};
 use umbrage_scene::{Aabb, WeldedMesh};
 
-/// A closed mesh.
+/// A mesh in one piece, with edges.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Shell {
     /// The positions of its vertices less its origin.
@@ -14,27 +14,28 @@ pub(crate) struct Shell {
     /// The vertices of its triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// The two vertices of each edge; the triangle left of the way from one to the other seen from outside, and the one right
-    /// of it.
+    /// of it, or [`NOTHING`].
     pub edges: Vec<[u32; 4]>,
     /// What its positions are counted from, in mesh space.
     pub origin: [f32; 3],
     /// The box around it, counted from its origin.
-    bounds: Aabb,
+    pub bounds: Aabb,
+    /// Whether it encloses something, and faces outward.
+    pub closed: bool,
 }
 
+/// Right of the edges where an open mesh ends.
+pub(crate) const NOTHING: u32 = u32::MAX;
+
 impl Shell {
-    /// `None` where the mesh is open, or faces inward.
-    pub fn of(mesh: WeldedMesh) -> Option<Self> {
-        if !mesh.closed {
-            return None;
-        }
-        let WeldedMesh { positions, triangles, closed: _ } = mesh;
+    pub fn of(mesh: WeldedMesh) -> Self {
+        let WeldedMesh { positions, triangles, closed } = mesh;
         let origin = origin(&positions);
         let relative = |place: &[f32; 3]| std::array::from_fn(|i| place[i] - origin[i]);
         let positions: Vec<[f32; 3]> = positions.iter().map(relative).collect();
         let bounds = Aabb::of_points(positions.iter().map(|place| Vec3::from(*place)));
         let edges = edges(&triangles);
-        Some(Self { positions, triangles, edges, origin, bounds })
+        Self { positions, triangles, edges, origin, bounds, closed }
     }
 
     /// The distance of a point, counted from the origin, from the box around the shell; 0 inside.
@@ -42,7 +43,7 @@ impl Shell {
         point.distance(point.clamp(self.bounds.min.as_dvec3(), self.bounds.max.as_dvec3()))
     }
 
-    /// Whether a point, counted from the origin, is inside: the triangles then fill the whole sphere around it.
+    /// Whether a point, counted from the origin, is inside of a closed mesh: the triangles then fill the whole sphere around it.
     ///
     /// Source: A. Van Oosterom, J. Strackee, *The Solid Angle of a Plane Triangle*, IEEE Transactions on Biomedical
     /// Engineering 30(2), 1983, equation 8.
@@ -73,7 +74,7 @@ fn origin(positions: &[[f32; 3]]) -> [f32; 3] {
     })
 }
 
-/// Every edge of a closed mesh, once.
+/// Every edge of a mesh, once.
 fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 4]> {
     // Both directions of an edge lie together: first those from the smaller vertex to the larger.
     let mut halves: Vec<([u32; 2], bool, u32)> = Vec::with_capacity(3 * triangles.len());
@@ -83,12 +84,16 @@ fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 4]> {
         }
     }
     halves.sort_unstable();
-    let same_edge = |a: &([u32; 2], bool, u32), b: &([u32; 2], bool, u32)| a.0 == b.0;
-    let paired = halves.chunk_by(same_edge).flat_map(|edge| {
-        let (lefts, rights) = edge.split_at(edge.len() / 2);
-        lefts.iter().zip(rights).map(|(([from, to], _, left), (_, _, right))| [*from, *to, *left, *right])
-    });
-    paired.collect()
+    let mut edges = Vec::with_capacity(halves.len() / 2);
+    for edge in halves.chunk_by(|a, b| a.0 == b.0) {
+        let ([from, to], ..) = edge[0];
+        let (lefts, rights) = edge.split_at(edge.partition_point(|(_, is_right, _)| !is_right));
+        let paired = lefts.len().min(rights.len());
+        edges.extend(lefts.iter().zip(rights).map(|((.., left), (.., right))| [from, to, *left, *right]));
+        edges.extend(lefts[paired..].iter().map(|(.., left)| [from, to, *left, NOTHING]));
+        edges.extend(rights[paired..].iter().map(|(.., right)| [to, from, *right, NOTHING]));
+    }
+    edges
 }
 
 #[cfg(test)]
@@ -106,7 +111,7 @@ mod tests {
 
     #[test]
     fn a_tetrahedron_has_six_edges_each_with_the_triangles_that_have_it() {
-        let shell = Shell::of(mesh(true, 0.0)).unwrap();
+        let shell = Shell::of(mesh(true, 0.0));
         assert_eq!(shell.edges.len(), 6);
         for [a, b, left, right] in shell.edges {
             let has = |triangle: u32, from: u32, to: u32| {
@@ -119,20 +124,29 @@ mod tests {
 
     #[test]
     fn what_is_inside_is_told_from_what_is_beside() {
-        let shell = Shell::of(mesh(true, 0.0)).unwrap();
+        let shell = Shell::of(mesh(true, 0.0));
         assert!(shell.holds(DVec3::splat(0.2)));
         assert!(!shell.holds(DVec3::splat(0.5)), "in the box, and beyond the slope");
         assert!(!shell.holds(DVec3::splat(-0.1)));
     }
 
     #[test]
-    fn an_open_mesh_has_no_shell() {
-        assert_eq!(Shell::of(mesh(false, 0.0)), None);
+    fn an_open_mesh_has_nothing_right_of_its_rim() {
+        let mut open = mesh(false, 0.0);
+        open.triangles.pop();
+        let shell = Shell::of(open);
+        let rim: Vec<_> = shell
+            .edges
+            .iter()
+            .filter(|[.., right]| *right == NOTHING)
+            .map(|edge| edge[0] + edge[1])
+            .collect();
+        assert_eq!((shell.edges.len(), rim), (6, vec![2, 3, 5]), "edges of 0 and 2, 0 and 3, 2 and 3");
     }
 
     #[test]
     fn a_mesh_far_from_its_origin_has_small_numbers() {
-        let shell = Shell::of(mesh(true, 4096.0)).unwrap();
+        let shell = Shell::of(mesh(true, 4096.0));
         assert_eq!(shell.origin, [4096.5; 3]);
         assert!(shell.positions.iter().flatten().all(|x| x.abs() <= 0.5), "{:?}", shell.positions);
     }
