@@ -26,6 +26,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::new(None)?;
     println!("{family} on {}", gpu.adapter);
     let family = match family.as_str() {
+        "blobs" => Family::Blobs { soft: 0.0 },
+        "plateaus" => Family::Plateaus { degrees: 0.53 },
         "planar" => Family::Planar {},
         "volumes" => Family::Volumes {},
         other => return Err(format!("no family is called `{other}`").into()),

@@ -13,4 +13,7 @@ pub enum RivalError {
         "shadow volumes end at infinity, and a camera whose rays are parallel cannot count them there; use a perspective camera"
     )]
     ParallelRays,
+    /// A share of blobs that is none.
+    #[error("`soft` must be from 0 to 1, got {0}")]
+    Soft(f32),
 }

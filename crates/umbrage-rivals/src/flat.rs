@@ -8,5 +8,5 @@ mod draws;
 mod family;
 mod record;
 
-pub(crate) use draws::Way;
+pub(crate) use draws::{Thing, Way};
 pub(crate) use family::Flattened;

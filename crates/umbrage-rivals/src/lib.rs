@@ -8,9 +8,12 @@
 //! |---|---|
 //! | [`Family::Volumes`] | shadow volumes (Crow 1977) counted behind what is seen: exact, for closed solid meshes |
 //! | [`Family::Planar`] | casters flattened onto planes (Blinn 1988): exact on the largest planes, unknown elsewhere |
+//! | [`Family::Blobs`] | an ellipse for each caster, on the same planes |
+//! | [`Family::Plateaus`] | planar shadows with an outer penumbra (Haines 2001), on the same planes |
 //!
 //! This crate does not: make a shadow map or know a setting of one, judge, or write files.
 
+mod blobs;
 mod buffers;
 mod canvas;
 mod casters;
@@ -22,6 +25,7 @@ mod floors;
 mod picture;
 mod planar;
 mod planes;
+mod plateaus;
 mod receivers;
 mod rival;
 mod shell;

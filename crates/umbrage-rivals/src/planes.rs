@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use umbrage_render::{Cover, Covers};
-use umbrage_scene::{Instance, Mesh, Part, Scene};
+use umbrage_scene::{Aabb, Instance, Mesh, Part, Scene};
 
 /// A plane that some of a scene's surfaces lie in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,9 +22,11 @@ pub(crate) struct Plane {
 /// The largest number of planes that are found.
 pub(crate) const MOST_PLANES: usize = 32;
 /// A part of a mesh with more sides is round.
-const MOST_SIDES: usize = 8;
+const MOST_SIDES: usize = 64;
 /// Before they are joined, no more sides than these are looked at, the largest first.
 const MOST_CANDIDATES: usize = 2048;
+/// Planes whose area is a smaller share of the square of the scene's size are not worth drawing everything onto.
+const LEAST_SHARE: f64 = 1e-4;
 /// The share of its size by which a flat surface may be bent.
 const BENT: f64 = 1e-5;
 
@@ -48,9 +50,20 @@ pub(crate) fn planes(scene: &Scene) -> Vec<Plane> {
             None => planes.push(side),
         }
     }
+    let least = LEAST_SHARE * size(scene).powi(2);
+    planes.retain(|plane| plane.area >= least);
     planes.sort_by(by_area);
     planes.truncate(MOST_PLANES);
     planes
+}
+
+/// The size of a scene: the diagonal of the box around all that stands still in it.
+fn size(scene: &Scene) -> f64 {
+    let still = scene.instances.iter().filter(|instance| !instance.is_dynamic());
+    let boxes =
+        still.map(|instance| scene.meshes[instance.mesh].bounds.transformed(&instance.world_from_mesh));
+    let around = boxes.fold(Aabb::EMPTY, Aabb::union);
+    if around.is_empty() { 0.0 } else { around.size().as_dvec3().length() }
 }
 
 /// The sides of a part; none where it has too many.
@@ -139,15 +152,15 @@ mod tests {
     #[test]
     fn what_is_round_is_no_plane() {
         let place = |i: u32| {
-            let (sine, cosine) = (i as f32 / 24.0 * std::f32::consts::TAU).sin_cos();
+            let (sine, cosine) = (i as f32 / 100.0 * std::f32::consts::TAU).sin_cos();
             Vec3::new(sine, 2.0, cosine)
         };
-        let positions: Vec<Vec3> = std::iter::once(Vec3::ZERO).chain((0..24).map(place)).collect();
+        let positions: Vec<Vec3> = std::iter::once(Vec3::ZERO).chain((0..100).map(place)).collect();
         let cone = Primitive {
             normals: vec![Vec3::Y; positions.len()],
             uvs: vec![Vec2::ZERO; positions.len()],
             positions,
-            indices: (0..24).flat_map(|i| [0, 1 + i, 1 + (i + 1) % 24]).collect(),
+            indices: (0..100).flat_map(|i| [0, 1 + i, 1 + (i + 1) % 100]).collect(),
             ..Primitive::default()
         };
         let scene = Scene {

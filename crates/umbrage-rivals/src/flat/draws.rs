@@ -1,8 +1,8 @@
 //! The casters of a scene on the device, and their draws onto the planes of a view.
 
-use glam::{DMat4, DVec3, UVec4};
+use glam::{DMat4, DVec3, DVec4, UVec4, Vec3};
 use umbrage_render::Gpu;
-use umbrage_scene::{Instance, Pose};
+use umbrage_scene::{Aabb, Instance, Pose};
 
 use super::record::Flat;
 use crate::buffers::{Held, bind, module, storage_bytes};
@@ -24,11 +24,21 @@ pub(crate) struct Way {
     reads: &'static [u32],
 }
 
+/// What is flattened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Thing {
+    /// The meshes of casters, in their own space.
+    Meshes,
+    /// The boxes of casters, in a space where each is from −1 to 1.
+    Boxes,
+}
+
 /// What all ways draw from.
 #[derive(Debug)]
 pub(crate) struct Draws {
     instances: Vec<(Instance, usize)>,
     shells: Vec<Shell>,
+    thing: Thing,
     /// Where each shell begins in the buffers.
     firsts: Vec<Flat>,
     mesh: [wgpu::Buffer; 3],
@@ -43,8 +53,14 @@ const EDGES: &str = "@group(0) @binding(8) var<storage, read> edges: array<vec4u
 
 impl Way {
     /// Makes the pipeline of a shader that has a vertex stage `flatten` and a fragment stage `shadow`. Of several answers at a
-    /// pixel the darkest counts.
-    pub fn new(gpu: &Gpu, text: &str, vertices: fn(&Shell) -> usize, reads: &'static [u32]) -> Self {
+    /// pixel the darkest counts. `constants` are its overrides.
+    pub fn new(
+        gpu: &Gpu,
+        text: &str,
+        constants: &[(&str, f64)],
+        vertices: fn(&Shell) -> usize,
+        reads: &'static [u32],
+    ) -> Self {
         let shader = module(gpu, "Way::shader", &[SHOT, RECEIVERS, FLAT, MESH, EDGES, text]);
         let darkest = wgpu::BlendComponent {
             src_factor: wgpu::BlendFactor::One,
@@ -71,7 +87,7 @@ impl Way {
             fragment: Some(wgpu::FragmentState {
                 module: &shader,
                 entry_point: Some("shadow"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
                 targets: &[Some(target)],
             }),
             multiview_mask: None,
@@ -81,8 +97,34 @@ impl Way {
     }
 }
 
+impl Thing {
+    /// The space that a mesh's thing is in, and the box around it there.
+    fn of(self, shell: &Shell) -> (DMat4, Aabb) {
+        let origin = DVec3::from(shell.origin.map(f64::from));
+        match self {
+            Self::Meshes => (DMat4::from_translation(origin), shell.bounds),
+            Self::Boxes => {
+                let [least, most] = [shell.bounds.min, shell.bounds.max].map(|corner| corner.as_dvec3());
+                let unit = Aabb { min: Vec3::NEG_ONE, max: Vec3::ONE };
+                // Something flat has no inverse; it is given a little thickness.
+                let half = (0.5 * (most - least)).max(DVec3::splat(FLATTEST * least.distance(most)));
+                let centre = origin + 0.5 * (least + most);
+                (DMat4::from_translation(centre) * DMat4::from_scale(half), unit)
+            }
+        }
+    }
+}
+
+/// Whether a lamp is in a box from −1 to 1.
+fn holds_lamp(eye_from_box: DMat4, light: DVec4) -> bool {
+    light.w > 0.0 && (eye_from_box.inverse() * light).truncate().abs().max_element() <= 1.0
+}
+
+/// The least thickness of a box, as a share of its diagonal.
+const FLATTEST: f64 = 1e-4;
+
 impl Draws {
-    pub fn new(held: &mut Held, casters: Casters) -> Result<Self, RivalError> {
+    pub fn new(held: &mut Held, casters: Casters, thing: Thing) -> Result<Self, RivalError> {
         let (mut positions, mut triangles, mut edges) = (Vec::new(), Vec::new(), Vec::new());
         let mut firsts = Vec::new();
         for shell in &casters.shells {
@@ -102,7 +144,7 @@ impl Draws {
             held.filled("edges of flat casters", &edges)?,
         ];
         let Casters { shells, served, left: _ } = casters;
-        Ok(Self { instances: served, shells, firsts, mesh, flats: None, listed: Vec::new() })
+        Ok(Self { instances: served, shells, thing, firsts, mesh, flats: None, listed: Vec::new() })
     }
 
     /// Lists what is before each plane in the next picture.
@@ -117,10 +159,13 @@ impl Draws {
         self.listed.clear();
         for (instance, number) in self.instances.iter().filter(|(of, _)| of.is_visible_in(pose)) {
             let shell = &self.shells[*number];
-            let origin = DMat4::from_translation(DVec3::from(shell.origin.map(f64::from)));
-            let world_from_mesh = instance.world_from_mesh_in(pose).as_dmat4() * origin;
-            let eye_from_mesh = DMat4::from_translation(-eye.place) * world_from_mesh;
-            let on = |floor| self.firsts[*number].of(eye_from_mesh, shell.bounds, eye, light, floor);
+            let (mesh_from_thing, bounds) = self.thing.of(shell);
+            let world_from_thing = instance.world_from_mesh_in(pose).as_dmat4() * mesh_from_thing;
+            let eye_from_thing = DMat4::from_translation(-eye.place) * world_from_thing;
+            if self.thing == Thing::Boxes && holds_lamp(eye_from_thing, light.from(eye.place)) {
+                continue;
+            }
+            let on = |floor| self.firsts[*number].of(eye_from_thing, bounds, eye, light, floor);
             flats.extend(floors.iter().filter_map(on));
             self.listed.resize(flats.len(), *number);
         }

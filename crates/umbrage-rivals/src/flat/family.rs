@@ -4,7 +4,7 @@ use umbrage_render::Gpu;
 use umbrage_scene::Scene;
 use web_time::Instant;
 
-use super::draws::{Draws, Way};
+use super::draws::{Draws, Thing, Way};
 use crate::buffers::Held;
 use crate::casters::Casters;
 use crate::error::RivalError;
@@ -35,14 +35,20 @@ pub(crate) struct Flattened {
 }
 
 impl Flattened {
-    pub fn new(gpu: &Gpu, scene: &Scene, ways: Vec<Way>, size: f32) -> Result<Self, RivalError> {
+    pub fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        thing: Thing,
+        ways: Vec<Way>,
+        size: f32,
+    ) -> Result<Self, RivalError> {
         let mut held = Held::new(gpu);
         let casters = Casters::of(scene, |_| None);
         Ok(Self {
             gpu: gpu.clone(),
             planes: planes(scene),
             left: casters.left.clone(),
-            draws: Draws::new(&mut held, casters)?,
+            draws: Draws::new(&mut held, casters, thing)?,
             held,
             receivers: Receivers::new(gpu, scene)?,
             marker: Marker::new(gpu),

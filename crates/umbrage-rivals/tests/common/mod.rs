@@ -63,17 +63,36 @@ pub fn ring() -> Mesh {
     Mesh::new("ring", &[primitive(positions, indices)])
 }
 
+/// A ball of radius 1, but for its triangles.
+pub fn ball() -> Mesh {
+    const AROUND: u32 = 96;
+    const DOWN: u32 = 48;
+    let place = |i: u32, j: u32| {
+        let (sine, cosine) = ((i % AROUND) as f32 / AROUND as f32 * std::f32::consts::TAU).sin_cos();
+        let (out, up) = (j as f32 / DOWN as f32 * std::f32::consts::PI).sin_cos();
+        Vec3::new(cosine * out, up, sine * out)
+    };
+    let vertex = |i: u32, j: u32| j * AROUND + i % AROUND;
+    let positions = (0..=DOWN).flat_map(|j| (0..AROUND).map(move |i| place(i, j))).collect();
+    let quad = |i: u32, j: u32| {
+        let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+        [a, b, c, a, c, d]
+    };
+    let indices = (0..DOWN).flat_map(|j| (0..AROUND).flat_map(move |i| quad(i, j))).collect();
+    Mesh::new("ball", &[primitive(positions, indices)])
+}
+
 /// A square from −1 to 1 in the xz plane, which faces up: an open mesh.
 pub fn square() -> Mesh {
     let positions = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)].map(|(x, z)| Vec3::new(x, 0.0, z));
     Mesh::new("square", &[primitive(positions.to_vec(), vec![0, 1, 2, 0, 2, 3])])
 }
 
-/// Where an instance of each mesh stands: 0 a cube, 1 a ring, 2 a square.
+/// A world of some instances: of mesh 0, a cube, 1, a ring, 2, a square, and 3, a ball.
 pub fn scene(instances: Vec<Instance>) -> Scene {
     Scene {
         name: "test".to_owned(),
-        meshes: vec![cube(), ring(), square()],
+        meshes: vec![cube(), ring(), square(), ball()],
         instances,
         materials: vec![Material::plain("grey", 0.5, 0.5, 0.5)],
         ..Scene::default()
