@@ -1,6 +1,6 @@
-//! What a family of shadows does in built-in worlds: who is served, how much is wrong, how long it takes.
+//! What a family of shadows does in built-in worlds: who is served, how much is wrong where only those cast, how long it takes.
 //!
-//! `cargo run --release -p umbrage-rivals --example volumes -- [--family FAMILY] [--pictures FOLDER] WORLD…`
+//! `cargo run --release -p umbrage-rivals --example volumes -- [--family FAMILY] [--seconds T] [--pictures FOLDER] WORLD…`
 
 use std::error::Error;
 use std::sync::Arc;
@@ -15,10 +15,12 @@ const SIZE: [u32; 2] = [640, 360];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (mut worlds, mut pictures, mut family) = (Vec::new(), None, "volumes".to_owned());
+    let mut seconds = 0.0;
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         match word.as_str() {
             "--pictures" => pictures = words.next(),
+            "--seconds" => seconds = words.next().unwrap_or_default().parse()?,
             "--family" => family = words.next().unwrap_or_default(),
             _ => worlds.push(word),
         }
@@ -33,12 +35,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         other => return Err(format!("no family is called `{other}`").into()),
     };
     for name in worlds {
-        measure(&gpu, family, &name, pictures.as_deref())?;
+        measure(&gpu, family, &name, seconds, pictures.as_deref())?;
     }
     Ok(())
 }
 
-fn measure(gpu: &Gpu, family: Family, name: &str, pictures: Option<&str>) -> Result<(), Box<dyn Error>> {
+fn measure(
+    gpu: &Gpu,
+    family: Family,
+    name: &str,
+    seconds: f32,
+    pictures: Option<&str>,
+) -> Result<(), Box<dyn Error>> {
     let scene = worlds::build(name, 1).ok_or_else(|| format!("no world is called `{name}`"))?;
     let start = Instant::now();
     let mut rival = family.ready(gpu, &scene)?;
@@ -51,7 +59,7 @@ fn measure(gpu: &Gpu, family: Family, name: &str, pictures: Option<&str>) -> Res
         scene.triangles(),
     );
     why(&left);
-    let pose = Arc::new(scene.pose(0.0));
+    let pose = Arc::new(scene.pose(seconds));
     let lights: Vec<_> = scene.lights.iter().take(2).cloned().collect();
     let view = View { camera: &scene.cameras[0], lights: &lights, pose: &pose, size: SIZE };
     rival.see(&view)?;

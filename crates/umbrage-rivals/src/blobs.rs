@@ -1,8 +1,8 @@
 //! Blob shadows: each caster is an ellipsoid, and its shadow on a plane an ellipse.
 //!
 //! What games draw under what moves where a map is too dear. The ellipsoid is that in the caster's box, in the space of its mesh, so
-//! that it turns and stretches with it. What lies in a plane casts nothing on it, and neither does, by a
-//! lamp, a box that the lamp is in: a room.
+//! that it turns and stretches with it. There is no blob of a box that a lamp is in, as
+//! a room is, nor of what lies on a plane and is more than eight times as wide as high, as the frame of a board.
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;

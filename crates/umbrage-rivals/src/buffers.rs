@@ -16,7 +16,12 @@ impl Held {
         Self { gpu: gpu.clone(), bytes: 0 }
     }
 
-    /// The bytes of all buffers that were made.
+    /// Counts bytes that are held beside the device.
+    pub fn count(&mut self, bytes: u64) {
+        self.bytes += bytes;
+    }
+
+    /// The bytes of all that was made or counted.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }

@@ -42,6 +42,13 @@ fn a_soft_blob_is_as_large_and_comes_back_to_light_within_itself() {
 }
 
 #[test]
+fn what_lies_flat_on_a_plane_is_no_blob_there() {
+    let slab = Mat4::from_translation(Vec3::new(0.0, 0.1, 0.0)) * Mat4::from_scale(Vec3::new(6.0, 0.1, 6.0));
+    let judged = judge(HARD, &scene(vec![ground(), Instance::still(0, slab)]), &above(), &[sun()], 0.0);
+    assert!(judged.seen.visibility[0].iter().flatten().all(|seen| *seen == 1.0));
+}
+
+#[test]
 fn a_room_that_holds_the_lamp_is_no_blob() {
     let room = Instance::still(
         0,

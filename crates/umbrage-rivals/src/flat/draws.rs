@@ -115,16 +115,25 @@ impl Thing {
     }
 }
 
-/// Whether a lamp is in a box from −1 to 1.
-fn holds_lamp(eye_from_box: DMat4, light: DVec4) -> bool {
-    light.w > 0.0 && (eye_from_box.inverse() * light).truncate().abs().max_element() <= 1.0
+/// Whether an ellipsoid may stand for what is in a box from −1 to 1: not for a room that holds the lamp, nor for what lies on a
+/// plane and is much wider than high.
+fn stands_out(eye_from_box: DMat4, light: DVec4, plane: DVec4) -> bool {
+    let holds_lamp = light.w > 0.0 && (eye_from_box.inverse() * light).truncate().abs().max_element() <= 1.0;
+    let half = [eye_from_box.x_axis, eye_from_box.y_axis, eye_from_box.z_axis];
+    let highest = plane.dot(eye_from_box.w_axis) + half.map(|axis| plane.dot(axis).abs()).iter().sum::<f64>();
+    let diagonal = 2.0 * half.map(DVec4::length_squared).iter().sum::<f64>().sqrt();
+    !holds_lamp && highest >= LEAST_HEIGHT * diagonal
 }
+
+/// The least height above a plane of what has a blob on it, as a share of its diagonal.
+const LEAST_HEIGHT: f64 = 0.125;
 
 /// The least thickness of a box, as a share of its diagonal.
 const FLATTEST: f64 = 1e-4;
 
 impl Draws {
     pub fn new(held: &mut Held, casters: Casters, thing: Thing) -> Result<Self, RivalError> {
+        held.count(casters.shells.iter().map(Shell::bytes).sum());
         let (mut positions, mut triangles, mut edges) = (Vec::new(), Vec::new(), Vec::new());
         let mut firsts = Vec::new();
         for shell in &casters.shells {
@@ -162,11 +171,13 @@ impl Draws {
             let (mesh_from_thing, bounds) = self.thing.of(shell);
             let world_from_thing = instance.world_from_mesh_in(pose).as_dmat4() * mesh_from_thing;
             let eye_from_thing = DMat4::from_translation(-eye.place) * world_from_thing;
-            if self.thing == Thing::Boxes && holds_lamp(eye_from_thing, light.from(eye.place)) {
-                continue;
-            }
+            let is_blob = |floor: &&Floor| match self.thing {
+                Thing::Meshes => true,
+                Thing::Boxes => stands_out(eye_from_thing, light.from(eye.place), floor.plane),
+            };
+            let floors = floors.iter().filter(is_blob);
             let on = |floor| self.firsts[*number].of(eye_from_thing, bounds, eye, light, floor);
-            flats.extend(floors.iter().filter_map(on));
+            flats.extend(floors.filter_map(on));
             self.listed.resize(flats.len(), *number);
         }
         let bytes = storage_bytes(&flats);
