@@ -16,19 +16,21 @@ pub enum Cover {
     Veil,
 }
 
-/// The covers of a scene's parts. Many files call materials blended or masked whose alpha is 1 everywhere: these are solid.
-pub(crate) struct Covers<'a> {
+/// Says the covers of a scene's parts. Many files call materials blended or masked whose alpha is 1 everywhere: these are solid.
+#[derive(Debug)]
+pub struct Covers<'a> {
     scene: &'a Scene,
     /// The least alpha of textures that were looked at.
     least: HashMap<usize, f32>,
 }
 
 impl<'a> Covers<'a> {
+    /// Makes the covers of a scene, of which no texture was looked at yet.
     pub fn new(scene: &'a Scene) -> Self {
         Self { scene, least: HashMap::new() }
     }
 
-    /// The cover of a part of a mesh.
+    /// Returns the cover of a part of one of the scene's meshes.
     pub fn of(&mut self, mesh: &Mesh, part: &Part) -> Cover {
         let Some(material) = self.scene.materials.get(part.material).filter(|material| !material.is_solid())
         else {

@@ -45,13 +45,14 @@ impl Gpu {
         Ok(Self { device, queue, adapter: Arc::new(description), counts: Arc::default() })
     }
 
-    /// Describes the device to request from an adapter: all that shadows profit from, timestamps, and the adapter's own
-    /// limits.
+    /// Describes the device to request from an adapter: all that shadows profit from, timestamps, depths of 32 bits
+    /// with a stencil, and the adapter's own limits.
     pub fn wanted_device(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         wgpu::DeviceDescriptor {
             label: Some("Gpu::device"),
             required_features: Capabilities::wanted_features(adapter)
-                | (adapter.features() & wgpu::Features::TIMESTAMP_QUERY),
+                | (adapter.features()
+                    & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::DEPTH32FLOAT_STENCIL8)),
             required_limits: adapter.limits(),
             ..Default::default()
         }
@@ -89,11 +90,7 @@ impl Gpu {
     ///
     /// # Errors
     /// As `make`, and when the device has no room.
-    pub(crate) fn allocate<T, E>(
-        &self,
-        what: &str,
-        make: impl FnOnce() -> Result<T, E>,
-    ) -> Result<T, RenderError>
+    pub fn allocate<T, E>(&self, what: &str, make: impl FnOnce() -> Result<T, E>) -> Result<T, RenderError>
     where
         RenderError: From<E>,
     {

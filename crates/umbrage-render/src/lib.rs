@@ -68,7 +68,7 @@ pub use adapter::AdapterDescription;
 pub use area::{Area, MOST_SAMPLES};
 pub use convert::{bounds, camera};
 pub use counts::Made;
-pub use cover::Cover;
+pub use cover::{Cover, Covers};
 pub use drawn::{Drawn, Rendered};
 pub use error::RenderError;
 pub use exposure::Exposure;

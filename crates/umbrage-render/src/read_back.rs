@@ -37,11 +37,11 @@ impl Gpu {
         })
     }
 
-    /// What `read` makes of the bytes of a buffer that can be mapped, once everything handed over is done.
+    /// Returns what `read` makes of the bytes of a buffer that can be mapped, once everything handed over is done.
     ///
     /// # Errors
     /// When the device fails.
-    pub(crate) fn read_mapped<T>(
+    pub fn read_mapped<T>(
         &self,
         buffer: wgpu::Buffer,
         read: impl FnOnce(&[u8]) -> T,

@@ -2,6 +2,7 @@
 
 mod area;
 mod bent;
+mod depth;
 mod looking;
 mod maps;
 mod planning;

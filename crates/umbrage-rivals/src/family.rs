@@ -3,22 +3,86 @@
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
 
+use crate::blobs;
 use crate::error::RivalError;
+use crate::planar;
+use crate::plateaus;
 use crate::rival::Rival;
+use crate::volumes::Volumes;
 
 /// A family of shadows beside maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
 #[non_exhaustive]
-pub enum Family {}
+pub enum Family {
+    /// Shadow volumes of closed meshes, counted in the stencil behind what is seen.
+    Volumes {},
+    /// Planar projected shadows: casters flattened onto the largest planes of the scene.
+    Planar {},
+    /// Blob shadows: the ellipsoid in each caster's box, as an ellipse on the largest planes of the scene.
+    Blobs {
+        /// The share of the ellipse, from its rim, over which light comes back, 0 to 1; 0 by default, a hard edge.
+        #[cfg_attr(feature = "serde", serde(default))]
+        soft: f32,
+    },
+    /// Plateaus: planar shadows with an outer penumbra.
+    Plateaus {
+        /// The whole angle that a sun is seen under, from 0 to below 180 degrees; 0.53 by default, as ours. Punctual lights have
+        /// half of it, in radians, for a radius in metres.
+        #[cfg_attr(feature = "serde", serde(default = "our_sun"))]
+        degrees: f32,
+    },
+}
+
+/// The angle that our sun is seen under, degrees.
+#[cfg(feature = "serde")]
+fn our_sun() -> f32 {
+    0.53
+}
 
 impl Family {
     /// Makes the family ready for a scene.
     ///
     /// # Errors
-    /// When something that it needs exceeds the device's limits.
-    pub fn ready(self, _gpu: &Gpu, _scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
-        match self {}
+    /// When something that it needs exceeds the device's limits, or a setting is out of its range.
+    pub fn ready(self, gpu: &Gpu, scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
+        match self {
+            Self::Blobs { soft } => Ok(Box::new(blobs::ready(gpu, scene, soft)?)),
+            Self::Plateaus { degrees } => Ok(Box::new(plateaus::ready(gpu, scene, degrees)?)),
+            Self::Planar {} => Ok(Box::new(planar::ready(gpu, scene)?)),
+            Self::Volumes {} => Ok(Box::new(Volumes::new(gpu, scene)?)),
+        }
+    }
+}
+
+#[cfg(all(test, feature = "serde"))]
+mod tests {
+    use super::*;
+
+    #[derive(serde::Deserialize)]
+    struct Rivals {
+        rivals: Vec<Family>,
+    }
+
+    #[test]
+    fn a_family_is_named_by_its_kind_and_has_defaults() {
+        let text = r#"
+            rivals = [
+                { kind = "volumes" }, { kind = "planar" }, { kind = "blobs" }, { kind = "plateaus" },
+                { kind = "plateaus", degrees = 2.0 },
+            ]
+        "#;
+        let Rivals { rivals } = toml::from_str(text).unwrap();
+        let plateaus = |degrees| Family::Plateaus { degrees };
+        let wanted = [
+            Family::Volumes {},
+            Family::Planar {},
+            Family::Blobs { soft: 0.0 },
+            plateaus(0.53),
+            plateaus(2.0),
+        ];
+        assert_eq!(rivals, wanted);
+        assert!(toml::from_str::<Rivals>(r#"rivals = [{ kind = "planar", degrees = 2.0 }]"#).is_err());
     }
 }

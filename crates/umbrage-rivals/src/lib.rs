@@ -6,12 +6,33 @@
 //!
 //! | family | what it is |
 //! |---|---|
+//! | [`Family::Volumes`] | shadow volumes (Crow 1977) counted behind what is seen: exact, for closed solid meshes |
+//! | [`Family::Planar`] | casters flattened onto planes (Blinn 1988): exact on the largest planes, unknown elsewhere |
+//! | [`Family::Blobs`] | an ellipse for each caster, on the same planes |
+//! | [`Family::Plateaus`] | planar shadows with an outer penumbra (Haines 2001), on the same planes |
 //!
 //! This crate does not: make a shadow map or know a setting of one, judge, or write files.
 
+mod blobs;
+mod buffers;
+mod canvas;
+mod casters;
 mod error;
+mod eye;
 mod family;
+mod flat;
+mod floors;
+mod picture;
+mod planar;
+mod planes;
+mod plateaus;
+mod receivers;
 mod rival;
+mod shell;
+mod shining;
+mod shot;
+mod stopwatch;
+mod volumes;
 
 pub use error::RivalError;
 pub use family::Family;

@@ -44,7 +44,8 @@ pub trait Rival: Debug {
     /// The casters that the family cannot draw; their shadows are missing in what it says.
     fn left(&self) -> &[Left];
 
-    /// The bytes that the family holds on the device and beside it for this scene, at most so far.
+    /// The bytes that the family holds on the device and beside it for this scene, at most so far. What whoever draws the scene
+    /// holds of it anyway does not count.
     fn bytes(&self) -> u64;
 
     /// Finds the visibility of a view's pixels.

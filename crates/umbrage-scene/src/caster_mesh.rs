@@ -11,6 +11,7 @@ mod deviation;
 mod levels;
 mod pages;
 mod welded;
+mod whole;
 
 #[cfg(test)]
 mod tests;
@@ -20,6 +21,8 @@ use std::ops::Range;
 use glam::Vec3;
 
 use crate::{Aabb, Mesh};
+
+pub use whole::WeldedMesh;
 
 /// A caster mesh is what a mesh casts with, in its own space: all levels of detail, finest first.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -40,7 +40,7 @@ pub mod worlds;
 
 pub use bounds::Aabb;
 pub use camera::{Camera, CameraPath, Lens, PathKey};
-pub use caster_mesh::{CasterLevel, CasterMesh, CasterPart};
+pub use caster_mesh::{CasterLevel, CasterMesh, CasterPart, WeldedMesh};
 pub use casting::NoSuchName;
 pub use curve::{Between, Curve, Keys};
 pub use deformed_bounds::DeformedBounds;

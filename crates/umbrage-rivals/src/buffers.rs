@@ -1,0 +1,97 @@
+//! Buffers and textures of a family, and what they take on the device.
+
+use encase::internal::WriteInto;
+use encase::{ShaderType, StorageBuffer};
+use umbrage_render::{Gpu, RenderError};
+
+/// Makes buffers on a device, and counts their bytes.
+#[derive(Debug)]
+pub(crate) struct Held {
+    gpu: Gpu,
+    bytes: u64,
+}
+
+impl Held {
+    pub fn new(gpu: &Gpu) -> Self {
+        Self { gpu: gpu.clone(), bytes: 0 }
+    }
+
+    /// Counts bytes that are held beside the device.
+    pub fn count(&mut self, bytes: u64) {
+        self.bytes += bytes;
+    }
+
+    /// The bytes of all that was made or counted.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Makes a buffer that shaders bind, of 32 bytes at least, since one of no size cannot be bound.
+    pub fn buffer(
+        &mut self,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, RenderError> {
+        let limits = self.gpu.device.limits();
+        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        let size = bytes.max(32).next_multiple_of(16);
+        if size > most {
+            return Err(RenderError::TooLarge { what, bytes: size, most });
+        }
+        let descriptor = wgpu::BufferDescriptor {
+            label: Some(what),
+            size,
+            usage: usage | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        };
+        let device = &self.gpu.device;
+        let made = self.gpu.allocate(what, || Ok::<_, RenderError>(device.create_buffer(&descriptor)))?;
+        self.bytes += size;
+        Ok(made)
+    }
+
+    /// Makes a buffer that shaders read, with something in it.
+    pub fn filled<T>(&mut self, what: &'static str, list: &Vec<T>) -> Result<wgpu::Buffer, RenderError>
+    where
+        Vec<T>: ShaderType + WriteInto,
+    {
+        let bytes = storage_bytes(list);
+        let buffer = self.buffer(what, bytes.len() as u64, wgpu::BufferUsages::STORAGE)?;
+        self.gpu.queue.write_buffer(&buffer, 0, &bytes);
+        Ok(buffer)
+    }
+}
+
+/// A list as shaders read it.
+pub(crate) fn storage_bytes<T>(list: &Vec<T>) -> Vec<u8>
+where
+    Vec<T>: ShaderType + WriteInto,
+{
+    let mut bytes = StorageBuffer::new(Vec::new());
+    // A list in memory always fits into memory.
+    if bytes.write(list).is_err() {
+        return Vec::new();
+    }
+    bytes.into_inner()
+}
+
+/// Makes a shader module of texts that belong together.
+pub(crate) fn module(gpu: &Gpu, label: &str, texts: &[&str]) -> wgpu::ShaderModule {
+    gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(texts.concat().into()),
+    })
+}
+
+/// Binds resources, each at its number.
+pub(crate) fn bind(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    resources: &[(u32, wgpu::BindingResource<'_>)],
+) -> wgpu::BindGroup {
+    let resources = resources.iter().cloned();
+    let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
+    let entries: Vec<_> = resources.map(entry).collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+}

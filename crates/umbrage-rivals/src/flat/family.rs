@@ -1,0 +1,123 @@
+//! A family whose shadows are flat casters, drawn in one way or several, one after the other.
+
+use umbrage_render::Gpu;
+use umbrage_scene::Scene;
+use web_time::Instant;
+
+use super::draws::{Draws, Thing, Way};
+use crate::buffers::Held;
+use crate::casters::Casters;
+use crate::error::RivalError;
+use crate::eye::Eye;
+use crate::floors::{Floor, Marker, Marks};
+use crate::planes::{Plane, planes};
+use crate::receivers::Receivers;
+use crate::rival::{Left, Rival, Seen, View};
+use crate::shining::Shining;
+use crate::shot::Shot;
+use crate::stopwatch::Stopwatch;
+
+/// The flat shadows of a scene.
+#[derive(Debug)]
+pub(crate) struct Flattened {
+    gpu: Gpu,
+    planes: Vec<Plane>,
+    left: Vec<Left>,
+    held: Held,
+    receivers: Receivers,
+    marker: Marker,
+    marks: Option<Marks>,
+    draws: Draws,
+    ways: Vec<Way>,
+    stopwatch: Stopwatch,
+    /// The tangent of half the angle that a sun is seen under, or a lamp's radius in metres; 0 where it counts for nothing.
+    size: f32,
+}
+
+impl Flattened {
+    pub fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        thing: Thing,
+        ways: Vec<Way>,
+        size: f32,
+    ) -> Result<Self, RivalError> {
+        let mut held = Held::new(gpu);
+        let casters = Casters::of(scene, |_| None);
+        Ok(Self {
+            gpu: gpu.clone(),
+            planes: planes(scene),
+            left: casters.left.clone(),
+            draws: Draws::new(&mut held, casters, thing)?,
+            held,
+            receivers: Receivers::new(gpu, scene)?,
+            marker: Marker::new(gpu),
+            marks: None,
+            ways,
+            stopwatch: Stopwatch::new(gpu),
+            size,
+        })
+    }
+
+    /// The visibility of a light where it is known, and the milliseconds that it took on the device, if it tells.
+    fn light(
+        &mut self,
+        eye: &Eye,
+        light: &Shining,
+        view: &View<'_>,
+        seen: &wgpu::TextureView,
+    ) -> Result<(Vec<Option<f32>>, Option<f64>), RivalError> {
+        let Self { gpu, planes, held, marker, marks, draws, ways, stopwatch, size, .. } = self;
+        let marks = match marks.take().filter(|marks| marks.size == view.size) {
+            Some(same) => marks.insert(same),
+            None => marks.insert(marker.marks(gpu, view.size)?),
+        };
+        let floors = Floor::of(planes, eye, light);
+        Shot::new(eye, light).with_size(*size).write(gpu, &marker.shot);
+        marker.upload(gpu, &floors);
+        draws.list(gpu, held, (eye, light, view.pose), &floors)?;
+        let descriptor = wgpu::CommandEncoderDescriptor { label: Some("Flattened::light") };
+        let mut encoder = gpu.device.create_command_encoder(&descriptor);
+        marker.mark(gpu, &mut encoder, marks, seen, stopwatch.starts_drawing());
+        {
+            let mut pass = marks.draw(&mut encoder, stopwatch.stops());
+            for way in ways {
+                draws.draw(gpu, &mut pass, way, (&marker.shot, seen, marks));
+            }
+        }
+        let times = stopwatch.resolve(gpu, &mut encoder);
+        let copies = marks.copy(gpu, &mut encoder);
+        gpu.queue.submit([encoder.finish()]);
+        let visibility = marks.read(gpu, copies)?;
+        let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
+        Ok((visibility, milliseconds))
+    }
+}
+
+impl Rival for Flattened {
+    fn left(&self) -> &[Left] {
+        &self.left
+    }
+
+    fn bytes(&self) -> u64 {
+        self.held.bytes() + self.marks.as_ref().map_or(0, Marks::bytes)
+    }
+
+    fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError> {
+        let eye = Eye::new(view.camera, view.size)?;
+        let start = Instant::now();
+        let seen = self.receivers.depth(view)?;
+        let (mut visibility, mut on_device) = (Vec::new(), Some(0.0));
+        for light in view.lights {
+            let light = Shining::at(light, view.pose)?;
+            let (of_light, milliseconds) = self.light(&eye, &light, view, &seen)?;
+            on_device = on_device.zip(milliseconds).map(|(sum, more)| sum + more);
+            visibility.push(of_light);
+        }
+        self.gpu.wait()?;
+        let wall = start.elapsed().as_secs_f64() * 1e3;
+        let depth = self.receivers.milliseconds();
+        let milliseconds = on_device.zip(depth).map_or(wall, |(lights, depth)| lights + depth);
+        Ok(Seen { visibility, milliseconds })
+    }
+}

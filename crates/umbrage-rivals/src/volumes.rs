@@ -1,0 +1,128 @@
+//! Shadow volumes: what a light does not reach is a body behind each caster, and a pixel is in shadow where it lies in one.
+//!
+//! Sources: F. Crow, *Shadow Algorithms for Computer Graphics*, SIGGRAPH 1977; counting behind what is seen (z-fail), which is
+//! right wherever the camera stands, J. Carmack, 2000; C. Everitt, M. Kilgard, *Practical and Robust Stenciled Shadow Volumes
+//! for Hardware-Accelerated Rendering*, 2002: with the far plane at infinity and caps no case is left.
+//!
+//! The body of a caster is the sum of the prisms behind its triangles that face away from the light. Whether one does is found
+//! once, as a bit, so that caps and sides agree and the body is watertight. Triangles that face the light are in no cap: so no
+//! lit surface lies on the border of a body, and no answer depends on a bias. A place is in as many prisms as triangles that face away
+//! lie before it, and as the mesh is closed it is in shadow where that is one or more. The stencil has eight bits: where 256
+//! surfaces, or a multiple of that, lie before a place it counts as lit.
+//!
+//! Parallel rays of a camera all end at one point at infinity, and do not say which volumes hold it: such cameras are refused.
+//!
+//! A caster must be closed, solid and rigid. Of a caster near a lamp, triangles that lie within the lamp's near distance cast
+//! nothing; what lies within it in part casts whole.
+
+mod passes;
+mod placed;
+
+use umbrage_render::Gpu;
+use umbrage_scene::Scene;
+use web_time::Instant;
+
+use crate::buffers::Held;
+use crate::canvas::{Canvas, Painter};
+use crate::casters::Casters;
+use crate::error::RivalError;
+use crate::eye::Eye;
+use crate::receivers::Receivers;
+use crate::rival::{Left, Rival, Seen, View};
+use crate::shining::Shining;
+use crate::shot::Shot;
+use crate::stopwatch::Stopwatch;
+use passes::Passes;
+
+/// The shadow volumes of a scene.
+#[derive(Debug)]
+pub(crate) struct Volumes {
+    gpu: Gpu,
+    left: Vec<Left>,
+    held: Held,
+    receivers: Receivers,
+    painter: Painter,
+    canvas: Option<Canvas>,
+    passes: Passes,
+    stopwatch: Stopwatch,
+}
+
+impl Volumes {
+    /// Makes the volumes of a scene ready.
+    pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, RivalError> {
+        let mut held = Held::new(gpu);
+        let casters = Casters::of(scene, |shell| (!shell.closed).then_some("its mesh is open"));
+        let painter = Painter::new(gpu);
+        let left = casters.left.clone();
+        let passes = Passes::new(gpu, &mut held, casters, &painter.shot)?;
+        Ok(Self {
+            gpu: gpu.clone(),
+            left,
+            held,
+            receivers: Receivers::new(gpu, scene)?,
+            painter,
+            canvas: None,
+            passes,
+            stopwatch: Stopwatch::new(gpu),
+        })
+    }
+
+    /// The visibility of a light, and the milliseconds that it took on the device, if it tells.
+    fn light(
+        &mut self,
+        eye: &Eye,
+        light: &Shining,
+        view: &View<'_>,
+        seen: &wgpu::TextureView,
+    ) -> Result<(Vec<f32>, Option<f64>), RivalError> {
+        let Self { gpu, painter, canvas, passes, stopwatch, .. } = self;
+        let canvas = match canvas.take().filter(|canvas| canvas.size == view.size) {
+            Some(same) => canvas.insert(same),
+            None => canvas.insert(painter.canvas(gpu, view.size)?),
+        };
+        Shot::new(eye, light).write(gpu, &painter.shot);
+        passes.place(gpu, eye, light, view.pose);
+        let descriptor = wgpu::CommandEncoderDescriptor { label: Some("Volumes::light") };
+        let mut encoder = gpu.device.create_command_encoder(&descriptor);
+        passes.find(&mut encoder, stopwatch.starts());
+        passes.draw(&mut painter.count(gpu, &mut encoder, canvas, seen, None));
+        painter.shadow(gpu, &mut encoder, canvas, seen, stopwatch.stops());
+        let times = stopwatch.resolve(gpu, &mut encoder);
+        let copy = canvas.copy(gpu, &mut encoder);
+        gpu.queue.submit([encoder.finish()]);
+        let visibility = canvas.read(gpu, copy)?;
+        let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
+        Ok((visibility, milliseconds))
+    }
+}
+
+impl Rival for Volumes {
+    fn left(&self) -> &[Left] {
+        &self.left
+    }
+
+    fn bytes(&self) -> u64 {
+        self.held.bytes() + self.canvas.as_ref().map_or(0, Canvas::bytes)
+    }
+
+    fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError> {
+        let eye = Eye::new(view.camera, view.size)?;
+        if eye.is_parallel {
+            return Err(RivalError::ParallelRays);
+        }
+        let start = Instant::now();
+        let seen = self.receivers.depth(view)?;
+        let (mut visibility, mut on_device) = (Vec::new(), Some(0.0));
+        for light in view.lights {
+            let light = Shining::at(light, view.pose)?;
+            let (of_light, milliseconds) = self.light(&eye, &light, view, &seen)?;
+            on_device = on_device.zip(milliseconds).map(|(sum, more)| sum + more);
+            visibility.push(of_light.into_iter().map(Some).collect());
+        }
+        self.gpu.wait()?;
+        let wall = start.elapsed().as_secs_f64() * 1e3;
+        let depth = self.receivers.milliseconds();
+        let milliseconds = on_device.zip(depth).map_or(wall, |(lights, depth)| lights + depth);
+        Ok(Seen { visibility, milliseconds })
+    }
+}

@@ -1,0 +1,140 @@
+//! Shadow volumes are exact: against traced shadows they are wrong at no more pixels than the rasteriser rounds.
+
+mod common;
+
+use std::sync::Arc;
+
+use common::{SIZE, above, at, camera, court, gpu, ground, judge, point, scene, spot, sun};
+use glam::{Mat4, Vec3};
+use umbrage_render::Gpu;
+use umbrage_rivals::{Family, RivalError, View};
+use umbrage_scene::{Camera, Instance, Lens, Light, Motion, Scene};
+
+/// The most pixels that may be wrong, of those that are judged.
+const MOST: f64 = 2e-4;
+
+fn agrees(name: &str, scene: &Scene, camera: &Camera, lights: &[Light], seconds: f32) {
+    let judged = judge(Family::Volumes {}, scene, camera, lights, seconds);
+    for (number, light) in lights.iter().enumerate() {
+        if let Ok(folder) = std::env::var("PICTURES") {
+            judged.save(number, &format!("{folder}/{}-{}.png", name.replace(' ', "-"), light.name));
+        }
+        let (wrong, pixels, shadowed) = judged.wrong(number);
+        println!("{name}, {}: {wrong:.6} of {pixels} wrong, {shadowed:.3} in shadow", light.name);
+        assert!(pixels > 1000, "{name}: only {pixels} judged");
+        assert!(shadowed > 0.005, "{name}: {shadowed} in shadow");
+        assert!(wrong <= MOST, "{name}, {}: {wrong} of {pixels} are wrong", light.name);
+    }
+}
+
+#[test]
+fn suns_spots_and_points_cast_the_shadows_that_rays_find() {
+    agrees("court", &court(), &above(), &[sun(), spot(), point()], 0.0);
+}
+
+#[test]
+fn it_does_not_matter_where_the_camera_stands() {
+    let lights = [sun(), point()];
+    let inside_a_volume = camera(Vec3::new(-1.5, 0.25, 0.2), Vec3::new(6.0, 0.0, -3.0));
+    agrees("inside a volume", &court(), &inside_a_volume, &lights, 0.0);
+    // Within the hole of the leaning ring.
+    let inside_a_box = camera(Vec3::new(2.0, 2.5, -1.0), Vec3::new(-1.0, 0.0, -1.0));
+    agrees("inside a box", &court(), &inside_a_box, &lights, 0.0);
+    let mut near_cuts = camera(Vec3::new(-1.5, 2.0, 2.0), Vec3::new(0.5, -0.5, -1.0));
+    near_cuts.near = 1.2;
+    agrees("the near plane cuts", &court(), &near_cuts, &lights, 0.0);
+    let toward = camera(Vec3::new(-6.0, 1.0, 3.0), Vec3::new(-2.0, 2.2, 0.0));
+    agrees("toward the light", &court(), &toward, &lights, 0.0);
+}
+
+#[test]
+fn a_camera_with_parallel_rays_is_refused() {
+    let camera = Camera { lens: Lens::Orthographic { half_height: 6.0 }, ..above() };
+    let mut rival = Family::Volumes {}.ready(&gpu(), &court()).unwrap();
+    let view = View { camera: &camera, lights: &[sun()], pose: &Arc::default(), size: SIZE };
+    assert!(matches!(rival.see(&view), Err(RivalError::ParallelRays)));
+}
+
+/// A device whose buffers hold no more than so many bytes.
+fn small_gpu(most: u64) -> Gpu {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
+    let adapter = adapter.expect("an adapter");
+    let mut descriptor = Gpu::wanted_device(&adapter);
+    descriptor.required_limits.max_storage_buffer_binding_size = most;
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
+    Gpu::of_device(&adapter, device, queue)
+}
+
+#[test]
+fn a_scene_that_the_device_cannot_hold_is_refused_with_what_it_needs() {
+    // 16 bytes a triangle.
+    let scene = scene((0..10).map(|i| at(1, i as f32, 0.0, 0.0)).collect());
+    let refused = Family::Volumes {}.ready(&small_gpu(1 << 17), &scene).unwrap_err();
+    let words = "the pieces of volumes needs 368640 bytes; this adapter's buffers hold 131072";
+    assert_eq!(refused.to_string(), words);
+}
+
+#[test]
+fn mirrored_scaled_and_moving_instances_cast_as_they_stand() {
+    let place = |x: f32| Mat4::from_translation(Vec3::new(x, 2.0, 0.0)) * Mat4::from_rotation_z(0.5);
+    let motion = Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 0.9 };
+    let scene = scene(vec![
+        ground(),
+        Instance::still(1, place(-3.0) * Mat4::from_scale(Vec3::new(-1.5, 0.7, 1.0))),
+        Instance::still(0, place(0.0) * Mat4::from_scale(Vec3::new(0.3, -0.9, 0.5))),
+        Instance { motion, ..Instance::still(1, place(3.5)) },
+    ]);
+    agrees("mirrored", &scene, &above(), &[sun(), spot(), point()], 2.5);
+}
+
+#[test]
+fn a_world_far_from_its_origin_is_like_any_other() {
+    const FAR: Vec3 = Vec3::new(200_000.0, 0.0, -131_072.0);
+    let mut scene = court();
+    for instance in &mut scene.instances {
+        instance.world_from_mesh.w_axis += FAR.extend(0.0);
+    }
+    let mut camera = above();
+    camera.world_from_camera.w_axis += FAR.extend(0.0);
+    let moved = |mut light: Light| {
+        light.world_from_light.w_axis += FAR.extend(0.0);
+        light
+    };
+    agrees("far", &scene, &camera, &[sun(), moved(spot()), moved(point())], 0.0);
+}
+
+#[test]
+fn outside_of_a_caster_that_holds_the_light_all_is_in_shadow() {
+    let scene = scene(vec![ground(), at(0, 0.0, 2.0, 0.0), at(1, 4.0, 1.0, 0.0)]);
+    let inside = Light::point("inside", Vec3::new(0.2, 2.1, -0.3), 60.0, 1e4);
+    let judged = judge(Family::Volumes {}, &scene, &above(), &[inside], 0.0);
+    let (wrong, pixels, shadowed) = judged.wrong(0);
+    assert!(pixels > 1000 && shadowed == 1.0 && wrong <= MOST, "{wrong} of {pixels}, {shadowed}");
+}
+
+#[test]
+fn an_open_mesh_is_left_by_name_and_casts_nothing() {
+    let scene = scene(vec![ground(), at(2, 0.0, 2.0, 0.0)]);
+    let judged = judge(Family::Volumes {}, &scene, &above(), &[sun()], 0.0);
+    let left: Vec<_> = judged.left.iter().map(|left| (left.instance, left.why.as_str())).collect();
+    assert_eq!(left, [(1, "its mesh is open")]);
+    let (wrong, pixels, shadowed) = judged.wrong(0);
+    assert!(pixels > 1000 && shadowed == 0.0 && wrong == 0.0, "{wrong} of {pixels}, {shadowed}");
+}
+
+#[test]
+fn what_casts_nothing_is_not_left() {
+    let mut scene = scene(vec![ground(), at(2, 0.0, 2.0, 0.0)]);
+    scene.instances[1].casts = false;
+    assert_eq!(judge(Family::Volumes {}, &scene, &above(), &[sun()], 0.0).left, []);
+}
+
+#[test]
+fn the_sky_is_lit_and_so_is_an_empty_world() {
+    let upward = camera(Vec3::new(0.0, 1.0, 12.0), Vec3::new(0.0, 90.0, 14.0));
+    for scene in [court(), scene(Vec::new())] {
+        let judged = judge(Family::Volumes {}, &scene, &upward, &[sun(), point()], 0.0);
+        assert!(judged.seen.visibility.iter().flatten().all(|seen| *seen == Some(1.0)));
+    }
+}
