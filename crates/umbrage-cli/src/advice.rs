@@ -1,6 +1,7 @@
 //! What settings do not suit a world, and what would: a line on stderr, and the work goes on.
 
 use umbrage::{CasterFaces, Fit, LightBox, Settings};
+use umbrage_rivals::Left;
 use umbrage_scene::Scene;
 
 /// Warns of what does not suit the world: back faces that cast where some meshes have none behind their front, and a light
@@ -9,6 +10,18 @@ pub fn warn(scene: &Scene, settings: &Settings) {
     for advice in [open_casters(scene, settings), light_box(scene, settings)].into_iter().flatten() {
         eprintln!("warning: {advice}");
     }
+}
+
+/// Warns of casters that a family of shadows leaves to maps, in a line that counts them.
+pub fn warn_of_left(scene: &Scene, left: &[Left]) {
+    let Some(first) = left.first() else { return };
+    let named = scene.instances.get(first.instance).map(|instance| {
+        let mesh = scene.meshes.get(instance.mesh).map_or("", |mesh| mesh.name.as_str());
+        if instance.name.is_empty() { mesh } else { instance.name.as_str() }
+    });
+    let (count, name) = (left.len(), named.unwrap_or_default());
+    let casters = if count == 1 { "caster is" } else { "casters are" };
+    eprintln!("warning: {count} {casters} left to shadow maps (`{name}`: {})", first.why);
 }
 
 fn light_box(scene: &Scene, settings: &Settings) -> Option<String> {

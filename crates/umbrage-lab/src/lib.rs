@@ -39,7 +39,9 @@ pub use error::LabError;
 pub use experiment::{Claim, Entry, Experiment, Plot, Sweep, Variant};
 pub use foreign::{Foreign, ForeignError, Wrong};
 pub use laboratory::{Judged, Laboratory};
-pub use measurement::{Machine, MadeReady, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts};
+pub use measurement::{
+    Machine, MadeReady, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts,
+};
 pub use path::{Motion, Watch};
 pub use rows::{Row, measure_all};
 pub use run::{AreaLight, Run};

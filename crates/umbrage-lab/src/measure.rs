@@ -38,7 +38,8 @@ impl Laboratory<'_> {
     pub fn measure(&mut self, run: &Run) -> Result<Outcome, LabError> {
         let shot = shot(self.scene(), run)?;
         let mut area = run.area.as_ref().map(AreaLight::area).transpose()?;
-        let mut family = run.family.map(|family| Ok::<_, LabError>((family, self.take_family(family)?))).transpose()?;
+        let mut family =
+            run.family.map(|family| Ok::<_, LabError>((family, self.take_family(family)?))).transpose()?;
         let technique: Option<&mut dyn Technique> = match (&mut family, &mut area) {
             (Some((_, family)), _) => Some(family),
             (None, Some(area)) => Some(area),

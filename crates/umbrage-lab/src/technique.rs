@@ -4,7 +4,7 @@
 use std::fmt::Debug;
 
 use umbrage_render::{Area, FrameTimes, Gpu, Renderer, Show};
-use umbrage_rivals::{Family, Rival, View};
+use umbrage_rivals::{Family, Left, Rival, View};
 use umbrage_scene::Scene;
 use web_time::Instant;
 
@@ -61,6 +61,8 @@ pub struct OfFamily {
     rival: Box<dyn Rival>,
     /// Draws the scene with none but those casters; `None` where there are none.
     left: Option<Renderer>,
+    /// Whether there were pixels that the family knew nothing of, so that maps of all casters served them.
+    asks_maps: bool,
     seconds: f64,
 }
 
@@ -79,7 +81,12 @@ impl OfFamily {
         }
         let is_needed = of_left.instances.iter().any(|instance| instance.casts);
         let left = is_needed.then(|| Renderer::new(gpu, &of_left, Default::default())).transpose()?;
-        Ok(Self { rival, left, seconds })
+        Ok(Self { rival, left, asks_maps: false, seconds })
+    }
+
+    /// Returns the casters that the family leaves to maps.
+    pub fn left(&self) -> &[Left] {
+        self.rival.left()
     }
 
     /// The renderer of what is left, with the settings of another; `None` where nothing is.
@@ -97,6 +104,7 @@ impl OfFamily {
 impl Technique for OfFamily {
     fn visibility(&mut self, renderer: &mut Renderer, shot: &Shot) -> Result<Vec<Vec<f32>>, LabError> {
         let seen = self.rival.see(&view(shot))?.visibility;
+        self.asks_maps |= seen.iter().flatten().any(Option::is_none);
         let mut left = self.maps_of_left(renderer)?;
         let of_light = |(light, seen): (usize, Vec<Option<f32>>)| {
             let left = left.as_mut().map(|left| by_maps(left, shot, light)).transpose()?;
@@ -115,17 +123,23 @@ impl Technique for OfFamily {
 
     fn times(&mut self, renderer: &mut Renderer, shot: &Shot) -> Result<FrameTimes, LabError> {
         let milliseconds = self.rival.see(&view(shot))?.milliseconds;
-        let mut times = match self.maps_of_left(renderer)? {
-            Some(left) => left.render(&shot.frame(Show::World)?)?.times,
-            None => renderer.render(&shot.frame(Show::Unshadowed)?)?.times,
-        };
+        let show = if self.asks_maps { Show::World } else { Show::Unshadowed };
+        let mut times = renderer.render(&shot.frame(show)?)?.times;
+        if let Some(left) = self.maps_of_left(renderer)? {
+            let maps = left.render(&shot.frame(Show::World)?)?.times;
+            let plain = left.render(&shot.frame(Show::Unshadowed)?)?.times;
+            times += maps;
+            times.shade -= plain.shade;
+            times.frame -= plain.frame;
+        }
         times.casters += milliseconds;
         times.frame += milliseconds;
         Ok(times)
     }
 
-    fn bytes(&self, _: &Renderer) -> u64 {
-        self.rival.bytes() + self.left.as_ref().map_or(0, |left| left.shadows().bytes())
+    fn bytes(&self, renderer: &Renderer) -> u64 {
+        let maps = [self.left.as_ref(), self.asks_maps.then_some(renderer)];
+        self.rival.bytes() + maps.into_iter().flatten().map(|maps| maps.shadows().bytes()).sum::<u64>()
     }
 
     fn made_ready(&self) -> Option<MadeReady> {

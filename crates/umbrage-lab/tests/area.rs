@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::Vec3;
 use umbrage::{Filter, Settings};
 use umbrage_judge::Deviation;
-use umbrage_lab::{Judged, Laboratory, Shot, TruthKind};
+use umbrage_lab::{Judged, Laboratory, Shot, Technique, TruthKind};
 use umbrage_render::{Area, Gpu};
 use umbrage_scene::{Camera, Lens, Light, Scene, plate_over_ground};
 
@@ -40,9 +40,10 @@ fn judged(scene: &Scene, light: Light, filter: Filter, samples: Option<u32>) -> 
     let gpu = Gpu::new(None).expect("an adapter: run scripts/setup");
     let settings = Settings { filter, resolution: 1024, splits: 1, ..Settings::default() };
     let mut laboratory = Laboratory::new(&gpu, scene).expect("a laboratory");
-    let area = samples.map(|samples| Area { samples, degrees: DEGREES });
+    let mut area = samples.map(|samples| Area { samples, degrees: DEGREES });
     let shot = shot(light);
-    let judged = laboratory.judge(&shot, &settings, area, TruthKind::Hard, 1).expect("a picture");
+    let technique = area.as_mut().map(|area| area as &mut dyn Technique);
+    let judged = laboratory.judge(&shot, &settings, technique, TruthKind::Hard, 1).expect("a picture");
     let soft = TruthKind::Soft { samples: 256, angle: f64::from(DEGREES).to_radians() };
     let deviation = laboratory.deviation(&shot, &judged, soft).expect("pixels to judge");
     let again = laboratory.deviation(&shot, &judged, soft);

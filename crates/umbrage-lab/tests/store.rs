@@ -22,6 +22,7 @@ fn run(repeat: u32) -> Run {
         camera: "main".to_owned(),
         repeat,
         settings: Settings { lambda: 0.1, distance: Some(1.0 / 3.0), ..Settings::default() },
+        family: None,
         area: None,
         truths: vec![SmoothTruth::Sun],
         light_points: 64,
@@ -73,6 +74,8 @@ fn outcome(run: &Run) -> Outcome {
         settings: run.settings.clone(),
         texels: u64::MAX,
         bytes: 4,
+        made_ready: None,
+        shadows_milliseconds: Some(1.25),
         truth: TruthCounts {
             pixels: 9,
             ambiguous: 1,

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::TypedValueParser as _;
 
-use super::parse::sun_angle;
+use umbrage_rivals::Family;
+
+use super::parse::{family, sun_angle};
 use super::{AdapterArgs, ShadowArgs, WorldArgs};
 
 #[derive(Debug, Args)]
@@ -34,6 +36,10 @@ pub struct MeasureArgs {
     /// Measure also how unsteady shadows are, along a path from the camera
     #[arg(long, value_enum)]
     pub motion: Option<MotionArg>,
+    /// Another family of shadows than maps, by its kind: volumes, planar, blobs, plateaus, light_maps; or with its numbers, as
+    /// '{ kind = "plateaus", degrees = 2.0 }'. Maps serve what it leaves
+    #[arg(long, value_name = "FAMILY", value_parser = family, conflicts_with = "motion")]
+    pub family: Option<Family>,
     /// Judge also what another renderer drew of the same view, beside ours in the same pixels: a folder with its picture
     /// lit.png, the same without shadows, unshadowed.png, and by ambient light alone, ambient.png, without tone mapping.
     /// Pixels where the last two are alike are left out

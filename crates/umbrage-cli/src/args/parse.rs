@@ -1,6 +1,7 @@
-//! Numbers of the command line.
+//! What is typed on the command line, as numbers and names.
 
 use glam::Vec3;
+use umbrage_rivals::Family;
 
 /// Three finite numbers, as `1.5,2,-3`.
 pub fn vec3(text: &str) -> Result<Vec3, String> {
@@ -22,6 +23,18 @@ pub fn distance(text: &str) -> Result<f32, String> {
 pub fn sun_angle(text: &str) -> Result<f64, String> {
     let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
     angle.ok_or_else(|| "wanted degrees, from 0 to 90".to_owned())
+}
+
+/// A family of shadows, by its kind or as a TOML table.
+pub fn family(text: &str) -> Result<Family, String> {
+    #[derive(serde::Deserialize)]
+    struct Given {
+        family: Family,
+    }
+    let table =
+        if text.trim_start().starts_with('{') { text.to_owned() } else { format!("{{ kind = {text:?} }}") };
+    let given: Result<Given, _> = toml::from_str(&format!("family = {table}"));
+    given.map(|given| given.family).map_err(|wrong| wrong.message().to_owned())
 }
 
 /// Degrees from 0 to below 180.

@@ -9,8 +9,8 @@ use umbrage_judge::statistics::Interval;
 use umbrage_judge::{DepthBand, jittered};
 use umbrage_lab::figures::{self, Figure};
 use umbrage_lab::{
-    Foreign, ForeignError, Judged, Laboratory, Measurement, Motion, SUB_PIXELS, Shot, TruthKind, Watch,
-    Wrong, files,
+    Foreign, ForeignError, Judged, Laboratory, Measurement, Motion, OfFamily, SUB_PIXELS, Shot, Technique,
+    TruthKind, Watch, Wrong, files,
 };
 use umbrage_render::{Gpu, Picture};
 
@@ -53,7 +53,11 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let bar = progress::bar(u64::from(args.repeats), "measuring");
-    let mut judged = laboratory.judge(&shot, &settings, None, kind(args), args.frames)?;
+    let mut family = args.family.map(|family| OfFamily::ready(&gpu, &scene, family)).transpose()?;
+    if let Some(family) = &family {
+        advice::warn_of_left(&scene, family.left());
+    }
+    let mut judged = laboratory.judge(&shot, &settings, technique(&mut family), kind(args), args.frames)?;
     bar.inc(1);
     if judged.measurement.error.is_none() {
         return Err(
@@ -63,7 +67,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let mut others = Vec::new();
     for repeat in 1..args.repeats {
         let moved = Shot { camera: jittered(&shot.camera, repeat), ..shot.clone() };
-        others.push(laboratory.judge(&moved, &settings, None, kind(args), 0)?.measurement);
+        others.push(laboratory.judge(&moved, &settings, technique(&mut family), kind(args), 0)?.measurement);
         bar.inc(1);
     }
     if let Some(arg) = args.motion {
@@ -88,6 +92,10 @@ pub fn run(args: &MeasureArgs) -> Outcome {
         None => output::print(&(text(measurement, intervals.as_ref()) + &foreign_text(pictures.as_ref())))?,
     }
     Ok(())
+}
+
+fn technique(family: &mut Option<OfFamily>) -> Option<&mut dyn Technique> {
+    family.as_mut().map(|family| family as &mut dyn Technique)
 }
 
 /// Whether everything can be written where it is wanted, before any work is done.

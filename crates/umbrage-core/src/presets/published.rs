@@ -2,8 +2,8 @@
 //!
 //! The engines' are their defaults of 2026, as far as this planner has what they do; what differs is said.
 //!
-//! The papers' polygon offsets and biases were tuned to their machines' depth formats, so all their presets have
-//! the same bias, the one that is exact for a flat receiver: what differs between two presets is what their source compared.
+//! The thesis and the tutorial say how their depths are biased, and so do their presets. The paper does not: its presets have the
+//! bias that is exact for a flat receiver, so that what differs between two of them is what it compared.
 
 use super::preset::Preset;
 use crate::filter::{Disc, Filter};
@@ -205,9 +205,10 @@ fn peer() -> Settings {
     Settings { fit: Fit::Stable, bias: Bias::NONE, ..base() }
 }
 
-/// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel.
+/// The thesis: practical splits with λ = 0.5, boxes around the slices' objects, one comparison a pixel, and its polygon offset.
 fn ferko(splits: u32, resolution: u32) -> Settings {
-    Settings { splits, resolution, lambda: 0.5, fit: Fit::Scene, ..source() }
+    let bias = Bias { raster_slope: 2.0, raster_constant: 1, ..Bias::NONE };
+    Settings { splits, resolution, lambda: 0.5, fit: Fit::Scene, bias, ..source() }
 }
 
 /// The paper: practical splits (eq. 6), boxes around the slices, one comparison a pixel.
@@ -215,7 +216,7 @@ fn zhang(splits: u32, resolution: u32) -> Settings {
     Settings { splits, resolution, lambda: 0.5, fit: Fit::View, ..source() }
 }
 
-/// What every source has: one comparison a pixel, and an offset along the normal.
+/// What thesis and paper have: one comparison a pixel, and, where the source says no other bias, an offset along the normal.
 fn source() -> Settings {
     Settings { filter: Filter::Hard {}, bias: Bias { normal: 1.0, constant: 0.002, ..Bias::NONE }, ..base() }
 }
