@@ -6,7 +6,7 @@
 //!
 //! The body of a caster is the sum of the prisms behind its triangles that face away from the light. Whether one does is found
 //! once, as a bit, so that caps and sides agree and the body is watertight. Triangles that face the light are in no cap: so no
-//! lit surface lies on the border of a body, and no answer depends on a bias. A place is in as many prisms as triangles that face away
+//! lit surface lies on the border of a body, and none needs a bias to stay lit. A place is in as many prisms as triangles that face away
 //! lie before it, and as the mesh is closed it is in shadow where that is one or more. The stencil has eight bits: where 256
 //! surfaces, or a multiple of that, lie before a place it counts as lit.
 //!

@@ -4,7 +4,7 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{SIZE, above, at, camera, court, gpu, ground, judge, point, scene, spot, sun};
+use common::{SIZE, above, at, camera, court, gpu, ground, judge, judge_on, point, scene, spot, sun};
 use glam::{Mat4, Vec3};
 use umbrage_render::Gpu;
 use umbrage_rivals::{Family, RivalError, View};
@@ -55,22 +55,35 @@ fn a_camera_with_parallel_rays_is_refused() {
     assert!(matches!(rival.see(&view), Err(RivalError::ParallelRays)));
 }
 
-/// A device whose buffers hold no more than so many bytes.
-fn small_gpu(most: u64) -> Gpu {
+/// A device that is less than the adapter can be.
+fn small_gpu(change: impl FnOnce(&mut wgpu::DeviceDescriptor<'_>)) -> Gpu {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
     let adapter = adapter.expect("an adapter");
     let mut descriptor = Gpu::wanted_device(&adapter);
-    descriptor.required_limits.max_storage_buffer_binding_size = most;
+    change(&mut descriptor);
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
     Gpu::of_device(&adapter, device, queue)
+}
+
+#[test]
+fn a_device_without_timestamps_and_with_depths_of_24_bits_serves_too() {
+    let none = wgpu::Features::DEPTH32FLOAT_STENCIL8 | wgpu::Features::TIMESTAMP_QUERY;
+    let gpu = small_gpu(|descriptor| descriptor.required_features.remove(none));
+    let judged = judge_on(&gpu, Family::Volumes {}, &court(), &above(), &[sun(), point()], 0.0);
+    assert!(judged.seen.milliseconds > 0.0);
+    for light in 0..2 {
+        let (wrong, pixels, shadowed) = judged.wrong(light);
+        assert!(pixels > 1000 && shadowed > 0.01 && wrong <= MOST, "{wrong} of {pixels}, {shadowed}");
+    }
 }
 
 #[test]
 fn a_scene_that_the_device_cannot_hold_is_refused_with_what_it_needs() {
     // 16 bytes a triangle.
     let scene = scene((0..10).map(|i| at(1, i as f32, 0.0, 0.0)).collect());
-    let refused = Family::Volumes {}.ready(&small_gpu(1 << 17), &scene).unwrap_err();
+    let gpu = small_gpu(|descriptor| descriptor.required_limits.max_storage_buffer_binding_size = 1 << 17);
+    let refused = Family::Volumes {}.ready(&gpu, &scene).unwrap_err();
     let words = "the pieces of volumes needs 368640 bytes; this adapter's buffers hold 131072";
     assert_eq!(refused.to_string(), words);
 }

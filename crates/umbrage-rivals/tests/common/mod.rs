@@ -151,7 +151,19 @@ pub struct Judged {
 
 /// Draws and judges.
 pub fn judge(family: Family, scene: &Scene, camera: &Camera, lights: &[Light], seconds: f32) -> Judged {
-    let mut rival = family.ready(&gpu(), scene).expect("a small scene");
+    judge_on(&gpu(), family, scene, camera, lights, seconds)
+}
+
+/// Draws on a device, and judges.
+pub fn judge_on(
+    gpu: &Gpu,
+    family: Family,
+    scene: &Scene,
+    camera: &Camera,
+    lights: &[Light],
+    seconds: f32,
+) -> Judged {
+    let mut rival = family.ready(gpu, scene).expect("a small scene");
     let pose = Arc::new(Pose::at(seconds));
     let view = View { camera, lights, pose: &pose, size: SIZE };
     let seen = rival.see(&view).expect("a good view");
