@@ -4,6 +4,7 @@ use umbrage_render::Gpu;
 use umbrage_scene::Scene;
 
 use crate::error::RivalError;
+use crate::light_maps::{LightMapOptions, LightMaps};
 use crate::rival::Rival;
 
 /// A family of shadows beside maps.
@@ -11,14 +12,26 @@ use crate::rival::Rival;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
 #[non_exhaustive]
-pub enum Family {}
+pub enum Family {
+    /// Static shadows, baked into texels of the surfaces that receive them: [`crate::LightMaps`].
+    LightMaps {
+        /// The bytes of all lights' texels together, 4096 or more: [`crate::LightMapOptions::bytes`].
+        bytes: u64,
+        /// The number of rays a texel, 1 to 64: [`crate::LightMapOptions::rays`].
+        rays: u32,
+    },
+}
 
 impl Family {
     /// Makes the family ready for a scene.
     ///
     /// # Errors
-    /// When something that it needs exceeds the device's limits.
-    pub fn ready(self, _gpu: &Gpu, _scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
-        match self {}
+    /// When a setting is out of its range, or something that the family needs exceeds the device's limits.
+    pub fn ready(self, gpu: &Gpu, scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
+        match self {
+            Self::LightMaps { bytes, rays } => {
+                Ok(Box::new(LightMaps::ready(gpu, scene, LightMapOptions { bytes, rays })?))
+            }
+        }
     }
 }

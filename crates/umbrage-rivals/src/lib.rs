@@ -6,13 +6,16 @@
 //!
 //! | family | what it is |
 //! |---|---|
+//! | [`LightMaps`] | static shadows, baked by rays into texels of the surfaces that receive them |
 //!
-//! This crate does not: make a shadow map or know a setting of one, judge, or write files.
+//! This crate does not: make a shadow map or know a setting of one, judge, or write files but those that [`LightMaps::bake`] keeps in a folder that it is given.
 
 mod error;
 mod family;
+mod light_maps;
 mod rival;
 
 pub use error::RivalError;
 pub use family::Family;
+pub use light_maps::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Tell};
 pub use rival::{Left, Rival, Seen, View};

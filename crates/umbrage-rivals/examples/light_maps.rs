@@ -1,0 +1,111 @@
+//! Bakes light maps of a world, and says how wrong they are where they know something.
+//!
+//! `cargo run --release -p umbrage-rivals --example light_maps -- WORLD [MiB] [LIGHTS] [FOLDER] [PICTURE.png]`
+//!
+//! WORLD is a built-in world or a glTF file; LIGHTS is how many of its lights are baked, the brightest first, 1 by default;
+//! FOLDER is where what is baked is kept (`-` for nowhere). What moves casts nothing in the truth, as in light maps.
+
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+use umbrage_judge::{Eye, Truth, Verdict, World};
+use umbrage_render::Gpu;
+use umbrage_rivals::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Rival as _, Seen, View};
+use umbrage_scene::{Light, Scene, worlds};
+
+type Failure = Box<dyn std::error::Error>;
+
+const SIZE: [u32; 2] = [480, 270];
+
+fn main() -> Result<(), Failure> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let word = |i: usize| words.get(i).map(String::as_str);
+    let scene = scene(word(0).ok_or("which world?")?)?;
+    let mebibytes: u64 = word(1).unwrap_or("16").parse()?;
+    let options = LightMapOptions { bytes: mebibytes << 20, ..LightMapOptions::default() };
+    let lights = brightest(&scene, word(2).unwrap_or("1").parse()?);
+    let folder = word(3).filter(|folder| *folder != "-").map(Path::new);
+
+    let (gpu, pose) = (Gpu::new(None)?, Arc::new(scene.pose(0.0)));
+    let (start, unwrapped) = (Instant::now(), Mutex::new(0.0));
+    let tell = |progress: BakeProgress| {
+        if let (BakeStep::Trace, 0, Ok(mut seconds)) = (progress.step, progress.done, unwrapped.lock()) {
+            *seconds = start.elapsed().as_secs_f64();
+        }
+        true
+    };
+    let mut maps = LightMaps::bake(&gpu, &scene, (&lights, &pose), options, folder, &tell)?;
+    let baked = start.elapsed().as_secs_f64();
+    let unwrapped = unwrapped.into_inner().unwrap_or_default();
+    let ([width, height], pages) = maps.pages();
+    println!("{}: {} triangles, {} lights", scene.name, scene.triangles(), lights.len());
+    println!("texels per metre      {:.2}", maps.texels_per_metre());
+    println!("pages a light         {pages} of {width} x {height}");
+    println!("charts                {}", maps.charts());
+    println!("unwrapping and BVH    {unwrapped:.1} s");
+    println!("baking                {:.1} s, {} rays", baked - unwrapped, maps.rays());
+    println!("bytes                 {:.2} MiB", maps.bytes() as f64 / f64::from(1 << 20));
+    println!("instances             {} served, {} left", scene.instances.len() - maps.left().len(), maps.left().len());
+
+    let camera = &scene.cameras[0];
+    let view = View { camera, lights: &lights, pose: &pose, size: SIZE };
+    maps.see(&view)?;
+    let seen = maps.see(&view)?;
+    println!("a picture             {:.2} ms on {}", seen.milliseconds, gpu.adapter);
+    judge(&scene, &maps, &view, &seen);
+    if let Some(path) = word(4) {
+        save(&seen, Path::new(path))?;
+    }
+    Ok(())
+}
+
+fn scene(name: &str) -> Result<Scene, Failure> {
+    match worlds::build(name, 0) {
+        Some(scene) => Ok(scene),
+        None => Ok(umbrage_scene::load(Path::new(name))?.scene),
+    }
+}
+
+/// The lights that stand still and shine most: suns by their lux, others by theirs at one metre.
+fn brightest(scene: &Scene, count: usize) -> Vec<Light> {
+    let mut lights = scene.lights.clone();
+    let is_sun = |light: &Light| light.kind == umbrage_scene::LightKind::Directional;
+    lights.sort_by(|a, b| is_sun(b).cmp(&is_sun(a)).then(b.intensity.total_cmp(&a.intensity)));
+    lights.truncate(count);
+    lights
+}
+
+/// Says how many of the judged pixels that light maps know are wrong.
+fn judge(scene: &Scene, maps: &LightMaps, view: &View<'_>, seen: &Seen) {
+    let mut still = scene.clone();
+    maps.left().iter().for_each(|left| still.instances[left.instance].casts = false);
+    let world = World::new(&still, view.pose);
+    let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
+    for (light, visibility) in view.lights.iter().zip(&seen.visibility) {
+        let truth = Truth::new(&world, &eye, &umbrage_judge::Light::at(light, view.pose), f64::INFINITY);
+        let judged = truth.pixels.iter().zip(visibility).filter(|(pixel, _)| pixel.is_judged());
+        let known: Vec<Verdict> =
+            judged.filter_map(|(pixel, seen)| Some(Verdict::new(Some(*pixel), (*seen)?))).collect();
+        let percent = |count: usize| 100.0 * count as f64 / known.len().max(1) as f64;
+        let of = |wanted: Verdict| percent(known.iter().filter(|verdict| **verdict == wanted).count());
+        println!(
+            "{:<21} {:.3} % mis-shadowed ({:.3} falsely shadowed, {:.3} falsely lit) of {} known pixels of {} judged",
+            light.name,
+            percent(known.iter().filter(|verdict| verdict.is_wrong()).count()),
+            of(Verdict::FalseShadow),
+            of(Verdict::FalseLight),
+            known.len(),
+            truth.judged(),
+        );
+    }
+}
+
+/// Writes the first light's visibility, grey, and red where it is not known.
+fn save(seen: &Seen, path: &Path) -> Result<(), Failure> {
+    let grey = |share: f32| [(255.0 * share).round() as u8; 3];
+    let pixels = seen.visibility.first().into_iter().flatten();
+    let bytes = pixels.flat_map(|share| share.map_or([160, 0, 0], grey)).collect();
+    let picture = image::RgbImage::from_raw(SIZE[0], SIZE[1], bytes).ok_or("no light was baked")?;
+    Ok(picture.save(path)?)
+}
