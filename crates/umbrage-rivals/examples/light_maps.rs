@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
-use umbrage_judge::{Eye, Truth, Verdict, World};
+use umbrage_judge::{Eye, Pixel, Tally, Truth, Verdict, World};
 use umbrage_render::Gpu;
 use umbrage_rivals::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Rival as _, Seen, View};
 use umbrage_scene::{Light, Scene, worlds};
@@ -46,16 +46,20 @@ fn main() -> Result<(), Failure> {
     println!("unwrapping and BVH    {unwrapped:.1} s");
     println!("baking                {:.1} s, {} rays", baked - unwrapped, maps.rays());
     println!("bytes                 {:.2} MiB", maps.bytes() as f64 / f64::from(1 << 20));
-    println!("instances             {} served, {} left", scene.instances.len() - maps.left().len(), maps.left().len());
+    println!(
+        "instances             {} served, {} left",
+        scene.instances.len() - maps.left().len(),
+        maps.left().len()
+    );
 
     let camera = &scene.cameras[0];
     let view = View { camera, lights: &lights, pose: &pose, size: SIZE };
     maps.see(&view)?;
     let seen = maps.see(&view)?;
     println!("a picture             {:.2} ms on {}", seen.milliseconds, gpu.adapter);
-    judge(&scene, &maps, &view, &seen);
+    let truth = judge(&scene, &maps, &view, &seen);
     if let Some(path) = word(4) {
-        save(&seen, Path::new(path))?;
+        save(&seen, &truth, Path::new(path))?;
     }
     Ok(())
 }
@@ -76,36 +80,46 @@ fn brightest(scene: &Scene, count: usize) -> Vec<Light> {
     lights
 }
 
-/// Says how many of the judged pixels that light maps know are wrong.
-fn judge(scene: &Scene, maps: &LightMaps, view: &View<'_>, seen: &Seen) {
+/// Says how many of the judged pixels that light maps know are wrong, and returns what is true of the first light's.
+fn judge(scene: &Scene, maps: &LightMaps, view: &View<'_>, seen: &Seen) -> Vec<Pixel> {
     let mut still = scene.clone();
     maps.left().iter().for_each(|left| still.instances[left.instance].casts = false);
     let world = World::new(&still, view.pose);
     let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
+    let mut first = None;
     for (light, visibility) in view.lights.iter().zip(&seen.visibility) {
         let truth = Truth::new(&world, &eye, &umbrage_judge::Light::at(light, view.pose), f64::INFINITY);
-        let judged = truth.pixels.iter().zip(visibility).filter(|(pixel, _)| pixel.is_judged());
-        let known: Vec<Verdict> =
-            judged.filter_map(|(pixel, seen)| Some(Verdict::new(Some(*pixel), (*seen)?))).collect();
-        let percent = |count: usize| 100.0 * count as f64 / known.len().max(1) as f64;
-        let of = |wanted: Verdict| percent(known.iter().filter(|verdict| **verdict == wanted).count());
+        let mut tally = Tally::default();
+        for (pixel, seen) in truth.pixels.iter().zip(visibility) {
+            seen.iter().for_each(|seen| tally.count(Some(*pixel), *seen));
+        }
         println!(
             "{:<21} {:.3} % mis-shadowed ({:.3} falsely shadowed, {:.3} falsely lit) of {} known pixels of {} judged",
             light.name,
-            percent(known.iter().filter(|verdict| verdict.is_wrong()).count()),
-            of(Verdict::FalseShadow),
-            of(Verdict::FalseLight),
-            known.len(),
+            100.0 * tally.mis_shadowed(),
+            100.0 * tally.false_shadow_share(),
+            100.0 * tally.false_light_share(),
+            tally.judged,
             truth.judged(),
         );
+        first.get_or_insert(truth.pixels);
     }
+    first.unwrap_or_default()
 }
 
-/// Writes the first light's visibility, grey, and red where it is not known.
-fn save(seen: &Seen, path: &Path) -> Result<(), Failure> {
-    let grey = |share: f32| [(255.0 * share).round() as u8; 3];
-    let pixels = seen.visibility.first().into_iter().flatten();
-    let bytes = pixels.flat_map(|share| share.map_or([160, 0, 0], grey)).collect();
+/// Writes the first light's visibility in grey; brown where it is not known, red where it is falsely shadowed, and blue where
+/// it is falsely lit.
+fn save(seen: &Seen, truth: &[Pixel], path: &Path) -> Result<(), Failure> {
+    let colour = |(share, truth): (&Option<f32>, &Pixel)| {
+        let Some(share) = *share else { return [100, 60, 20] };
+        match Verdict::new(Some(*truth), share) {
+            Verdict::FalseShadow => [255, 0, 0],
+            Verdict::FalseLight => [0, 80, 255],
+            Verdict::NotTraced | Verdict::NotJudged | Verdict::Right => [(255.0 * share).round() as u8; 3],
+        }
+    };
+    let pixels = seen.visibility.first().into_iter().flatten().zip(truth);
+    let bytes = pixels.flat_map(colour).collect();
     let picture = image::RgbImage::from_raw(SIZE[0], SIZE[1], bytes).ok_or("no light was baked")?;
     Ok(picture.save(path)?)
 }

@@ -82,7 +82,6 @@ pub struct BakeProgress {
 pub type Tell<'a> = dyn Fn(BakeProgress) -> bool + Sync + 'a;
 
 /// Light maps are the static shadows of a scene, baked.
-#[derive(Debug)]
 pub struct LightMaps {
     lights: Vec<Light>,
     left: Vec<Left>,
@@ -94,6 +93,14 @@ pub struct LightMaps {
     texels: Vec<u8>,
     rays: u64,
     pass: Pass,
+}
+
+impl std::fmt::Debug for LightMaps {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut maps = f.debug_struct("LightMaps");
+        maps.field("lights", &self.lights).field("size", &self.size).field("pages", &self.pages);
+        maps.finish_non_exhaustive()
+    }
 }
 
 impl LightMaps {
@@ -118,7 +125,8 @@ impl LightMaps {
         let unwrapped = unwrap::unwrap(scene, side as u32, tell)?;
         let [width, height] = unwrapped.size.map(u64::from);
         let layers = count * u64::from(unwrapped.pages);
-        if width * height * layers > options.bytes || layers > gpu.device.limits().max_texture_array_layers.into()
+        if width * height * layers > options.bytes
+            || layers > gpu.device.limits().max_texture_array_layers.into()
         {
             return Err(RivalError::Room { charts: unwrapped.charts, bytes: options.bytes });
         }

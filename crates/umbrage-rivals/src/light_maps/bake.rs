@@ -43,7 +43,8 @@ pub(super) fn bake(
             if !tell(BakeProgress { step: BakeStep::Trace, done, total, rays: baked.rays }) {
                 return Err(RivalError::Cancelled);
             }
-            let (band, rays) = kept_or_traced(still, light, band, store.as_ref().map(|store| (store, &key)), width)?;
+            let (band, rays) =
+                kept_or_traced(still, light, band, store.as_ref().map(|store| (store, &key)), width)?;
             texels.extend(band);
             baked.rays += rays;
             done += 1;

@@ -44,7 +44,11 @@ impl Geometry {
         let buffer = |label, contents: &[u8], usage| {
             // A buffer of no bytes cannot be bound.
             let contents = if contents.is_empty() { &[0; 16] } else { contents };
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage,
+            })
         };
         let vertices = wgpu::BufferUsages::VERTEX;
         Self {
@@ -107,7 +111,12 @@ impl Surfaces {
             let mesh = &scene.meshes[of.mesh];
             let geometry = *of_mesh[of.mesh].get_or_insert_with(|| {
                 let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|place| place.to_array()).collect();
-                self.geometry.push(Geometry::new(gpu, &positions, &vec![[0; 2]; positions.len()], &mesh.indices));
+                self.geometry.push(Geometry::new(
+                    gpu,
+                    &positions,
+                    &vec![[0; 2]; positions.len()],
+                    &mesh.indices,
+                ));
                 self.geometry.len() - 1
             });
             let indices = 0..mesh.indices.len() as u32;
@@ -131,7 +140,8 @@ fn ranges(scene: &Scene, mesh: &Mesh) -> Vec<(bool, Range<u32>)> {
 
 /// A scene of what moves alone, without pictures.
 pub(super) fn moving(scene: &Scene) -> Scene {
-    let instances: Vec<_> = scene.instances.iter().filter(|instance| instance.is_dynamic()).cloned().collect();
+    let instances: Vec<_> =
+        scene.instances.iter().filter(|instance| instance.is_dynamic()).cloned().collect();
     let is_used = |mesh: usize| instances.iter().any(|instance| instance.mesh == mesh);
     let meshes = scene.meshes.iter().enumerate();
     Scene {

@@ -88,9 +88,11 @@ impl Pass {
             return Err(RenderError::PictureSize { width, height, most }.into());
         }
         let moving = self.place(view)?;
-        let targets = [(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC), (DEPTH_FORMAT, wgpu::TextureUsages::empty())];
-        let [colour, depth] =
-            targets.map(|(format, usage)| texture(&self.gpu, [width, height, 1], format, usage | wgpu::TextureUsages::RENDER_ATTACHMENT));
+        let targets =
+            [(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC), (DEPTH_FORMAT, wgpu::TextureUsages::empty())];
+        let [colour, depth] = targets.map(|(format, usage)| {
+            texture(&self.gpu, [width, height, 1], format, usage | wgpu::TextureUsages::RENDER_ATTACHMENT)
+        });
         let mut seen = Seen { visibility: Vec::with_capacity(lights.len()), milliseconds: 0.0 };
         for lights in lights.chunks(LIGHTS_AT_ONCE) {
             seen.milliseconds += self.draw([&colour, &depth], &moving, lights)?;
@@ -111,7 +113,8 @@ impl Pass {
         let [width, height] = view.size;
         let camera = umbrage_render::camera(view.camera, width as f32 / height as f32)?;
         let eye = camera.eye().as_dvec3();
-        let view_from_eye = DMat4::from_mat3(glam::DMat3::from_mat4(camera.world_from_view().as_dmat4()).transpose());
+        let view_from_eye =
+            DMat4::from_mat3(glam::DMat3::from_mat4(camera.world_from_view().as_dmat4()).transpose());
         let clip_from_eye = camera.clip_from_view().as_dmat4() * view_from_eye;
         let places = self.surfaces.draws.iter().map(|draw| {
             let world_from_mesh = self.instances[draw.instance].world_from_mesh.as_dmat4();
@@ -188,11 +191,17 @@ fn begin<'e>(
             view: colour,
             depth_slice: None,
             resolve_target: None,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::WHITE), store: wgpu::StoreOp::Store },
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::WHITE),
+                store: wgpu::StoreOp::Store,
+            },
         })],
         depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
             view: depth,
-            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(0.0),
+                store: wgpu::StoreOp::Discard,
+            }),
             stencil_ops: None,
         }),
         timestamp_writes,
@@ -227,7 +236,8 @@ fn atlas(gpu: &Gpu, unwrapped: &Unwrapped, texels: &[u8]) -> wgpu::TextureView {
     let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
     let size = [width, height, layers.max(1)];
     let atlas = texture(gpu, size, wgpu::TextureFormat::R8Unorm, usage);
-    let rows = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width), rows_per_image: Some(height) };
+    let rows =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width), rows_per_image: Some(height) };
     let copied = wgpu::Extent3d { width, height, depth_or_array_layers: layers };
     gpu.queue.write_texture(atlas.as_image_copy(), texels, rows, copied);
     atlas.create_view(&wgpu::TextureViewDescriptor {
@@ -258,7 +268,11 @@ fn group(
     let entries = resources
         .map(|resource| wgpu::BindGroupEntry { binding: binding.next().unwrap_or_default(), resource });
     let layout = &pipeline.get_bind_group_layout(0);
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("Pass::group"), layout, entries: &entries })
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("Pass::group"),
+        layout,
+        entries: &entries,
+    })
 }
 
 fn pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
@@ -307,6 +321,7 @@ fn pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
 fn picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, RenderError> {
     let coming = ComingPicture::of_texture(gpu, texture)?;
     gpu.wait()?;
-    let picture = coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())));
+    let picture =
+        coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())));
     Ok(picture?.rgba)
 }

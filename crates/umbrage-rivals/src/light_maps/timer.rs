@@ -16,8 +16,11 @@ const BYTES: u64 = 16;
 impl Timer {
     pub fn new(gpu: &Gpu) -> Self {
         let has_timestamps = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        let descriptor =
-            wgpu::QuerySetDescriptor { label: Some("Timer::queries"), ty: wgpu::QueryType::Timestamp, count: 2 };
+        let descriptor = wgpu::QuerySetDescriptor {
+            label: Some("Timer::queries"),
+            ty: wgpu::QueryType::Timestamp,
+            count: 2,
+        };
         let queries = has_timestamps.then(|| gpu.device.create_query_set(&descriptor));
         Self { queries, start: Instant::now() }
     }

@@ -65,7 +65,8 @@ impl Shape {
 pub(super) fn unwrap(scene: &Scene, side: u32, tell: &Tell<'_>) -> Result<Unwrapped, RivalError> {
     let sources = sources(scene);
     if sources.is_empty() {
-        let empty = Unwrapped { size: [1, 1], pages: 1, texels_per_metre: 0.0, charts: 0, shapes: Vec::new() };
+        let empty =
+            Unwrapped { size: [1, 1], pages: 1, texels_per_metre: 0.0, charts: 0, shapes: Vec::new() };
         return Ok(empty);
     }
     let meshes: Vec<MeshInput<'_>> = sources.iter().map(|source| source.input(scene)).collect();
