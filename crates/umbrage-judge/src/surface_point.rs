@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use crate::shadow_ray::reaching;
+use crate::shadow_ray::{ShadowRay, reaching};
 use crate::triangles::normal;
 use crate::{Light, Receiver, Triangles, World};
 
@@ -29,7 +29,13 @@ impl Triangles {
     /// Returns only the triangles that never move, in the same order.
     #[must_use]
     pub fn standing(&self) -> Self {
-        self.in_order((0..self.corners.len()).filter(|i| self.still[*i]))
+        self.only(|i| self.still[i])
+    }
+
+    /// Returns only the triangles with some indices, in the same order.
+    #[must_use]
+    pub fn only(&self, is_kept: impl Fn(usize) -> bool) -> Self {
+        self.in_order((0..self.corners.len()).filter(|i| is_kept(*i)))
     }
 
     /// Returns the point of a triangle at which its corners count so much; the weights sum to 1.
@@ -44,12 +50,26 @@ impl World {
     /// Traces the share of a light, 0 to 1, that reaches the side of a surface that faces it; `None` where the light does not
     /// shine.
     pub fn visibility(&self, light: &Light, point: &SurfacePoint) -> Option<f64> {
-        let SurfacePoint { position, normal, lift } = *point;
-        let toward = light.toward(position)?;
-        let normal = if normal.dot(toward.direction) < 0.0 { -normal } else { normal };
-        let receiver = Receiver { position, normal, depth: 0.0, triangle: 0, lift, tilt: 0.0 };
-        Some(reaching(self, light, &receiver, 1.0))
+        Some(reaching(self, light, &receiver(light, point)?, 1.0))
     }
+
+    /// Whether the first triangle on the way from a point to a light turns its back: the point is inside a body, if all
+    /// triangles of this world bound bodies and face outward.
+    pub fn encloses(&self, light: &Light, point: &SurfacePoint) -> bool {
+        let to_light = receiver(light, point).map(|receiver| ShadowRay::of(self, light, &receiver, 1.0));
+        to_light.is_some_and(|ShadowRay { ray, end, .. }| {
+            let first = self.first_hit(&ray, 0.0, end);
+            first.is_some_and(|hit| self.normal(hit.triangle).dot(ray.direction) > 0.0)
+        })
+    }
+}
+
+/// The side of a point that faces a light, if the light shines there.
+fn receiver(light: &Light, point: &SurfacePoint) -> Option<Receiver> {
+    let SurfacePoint { position, normal, lift } = *point;
+    let toward = light.toward(position)?;
+    let normal = if normal.dot(toward.direction) < 0.0 { -normal } else { normal };
+    Some(Receiver { position, normal, depth: 0.0, triangle: 0, lift, tilt: 0.0 })
 }
 
 #[cfg(test)]
@@ -91,5 +111,19 @@ mod tests {
         }
         let lamp = Light::Point { position: DVec3::Y * 3.0, range: 2.0, near: 0.0 };
         assert_eq!(world.visibility(&lamp, &point), None);
+    }
+
+    #[test]
+    fn a_point_is_inside_where_the_light_comes_through_a_back() {
+        let roof = |y: f32| [Vec3::new(-9.0, y, -9.0), Vec3::new(0.0, y, 9.0), Vec3::new(9.0, y, -9.0)];
+        let [down, up] = [roof(1.0), {
+            let [a, b, c] = roof(1.0);
+            [a, c, b]
+        }];
+        let point = SurfacePoint { position: DVec3::ZERO, normal: DVec3::Y, lift: 0.0 };
+        let inside =
+            [up, down].map(|roof| World::of_triangles(vec![roof]).encloses(&Light::sun(Vec3::NEG_Y), &point));
+        let upward = crate::triangles::normal(&up.map(|corner| corner.as_dvec3())).y > 0.0;
+        assert_eq!(inside, [upward, !upward]);
     }
 }

@@ -9,6 +9,7 @@
 //! A texel is long: the budget in bytes buys texels everywhere, also where nobody looks. Shadows' edges are as wide as a texel.
 
 mod bake;
+mod bodies;
 mod geometry;
 mod gutter;
 mod pass;

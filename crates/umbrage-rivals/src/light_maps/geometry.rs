@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
 use umbrage_judge::Triangles;
 use umbrage_render::Gpu;
-use umbrage_scene::{Mesh, Pose, Scene};
+use umbrage_scene::{Aabb, Mesh, Part, Pose, Scene};
 use wgpu::util::DeviceExt as _;
 
-use super::unwrap::{Placed, Unwrapped, has_texels};
+use super::unwrap::{Placed, Unwrapped, receives};
 
 /// Vertices and triangles on the device.
 #[derive(Debug)]
@@ -16,14 +17,23 @@ pub(super) struct Geometry {
     /// Places within a rectangle of the atlas.
     pub places: wgpu::Buffer,
     pub indices: wgpu::Buffer,
+    pub pieces: Vec<Piece>,
 }
 
-/// Some triangles of an instance.
+/// A piece is a part of a mesh, drawn where the camera sees its box.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub indices: Range<u32>,
+    /// The box around the piece, in mesh space; `None` for what is always drawn.
+    pub bounds: Option<Aabb>,
+    pub has_texels: bool,
+}
+
+/// An instance, and where it lies in the atlas.
 #[derive(Clone, Debug)]
 pub(super) struct Draw {
     /// The index of the geometry.
     pub geometry: usize,
-    pub indices: Range<u32>,
     /// The index of the instance in the scene.
     pub instance: usize,
     /// `None` for what has no texels.
@@ -40,7 +50,13 @@ pub(super) struct Surfaces {
 }
 
 impl Geometry {
-    fn new(gpu: &Gpu, positions: &[[f32; 3]], places: &[[u16; 2]], indices: &[u32]) -> Self {
+    fn new(
+        gpu: &Gpu,
+        positions: &[[f32; 3]],
+        places: &[[u16; 2]],
+        indices: &[u32],
+        pieces: Vec<Piece>,
+    ) -> Self {
         let buffer = |label, contents: &[u8], usage| {
             // A buffer of no bytes cannot be bound.
             let contents = if contents.is_empty() { &[0; 16] } else { contents };
@@ -55,17 +71,19 @@ impl Geometry {
             positions: buffer("Geometry::positions", bytemuck::cast_slice(positions), vertices),
             places: buffer("Geometry::places", bytemuck::cast_slice(places), vertices),
             indices: buffer("Geometry::indices", bytemuck::cast_slice(indices), wgpu::BufferUsages::INDEX),
+            pieces,
         }
     }
 
     /// What moves, as it stands in a pose, relative to an origin in the world.
-    pub fn moving(gpu: &Gpu, moving: &Scene, pose: &Pose, origin: glam::DVec3) -> (Self, Range<u32>) {
+    pub fn moving(gpu: &Gpu, moving: &Scene, pose: &Pose, origin: DVec3) -> Self {
         let triangles = Triangles::of(moving, pose);
         let corners = triangles.corners().iter().flatten();
         let positions: Vec<[f32; 3]> =
             corners.map(|corner| (*corner - origin).as_vec3().to_array()).collect();
         let indices: Vec<u32> = (0..positions.len() as u32).collect();
-        (Self::new(gpu, &positions, &vec![[0; 2]; positions.len()], &indices), 0..indices.len() as u32)
+        let all = Piece { indices: 0..positions.len() as u32, bounds: None, has_texels: false };
+        Self::new(gpu, &positions, &vec![[0; 2]; positions.len()], &indices, vec![all])
     }
 }
 
@@ -82,16 +100,16 @@ impl Surfaces {
                 .map(|(vertex, place)| (mesh.positions[*vertex as usize].to_array(), *place))
                 .unzip();
             let geometry = surfaces.geometry.len();
-            surfaces.geometry.push(Geometry::new(gpu, &positions, &places, &shape.indices));
+            surfaces.geometry.push(Geometry::new(
+                gpu,
+                &positions,
+                &places,
+                &shape.indices,
+                pieces(scene, mesh),
+            ));
             for placed in &shape.placed {
                 is_placed[placed.instance] = true;
-                let draws = ranges(scene, mesh).into_iter().map(|(has, indices)| Draw {
-                    geometry,
-                    indices,
-                    instance: placed.instance,
-                    placed: has.then_some(*placed),
-                });
-                surfaces.draws.extend(draws);
+                surfaces.draws.push(Draw { geometry, instance: placed.instance, placed: Some(*placed) });
             }
             let [vertices, instances] = &mut surfaces.placed;
             *vertices += shape.vertices.len() as u64;
@@ -111,31 +129,28 @@ impl Surfaces {
             let mesh = &scene.meshes[of.mesh];
             let geometry = *of_mesh[of.mesh].get_or_insert_with(|| {
                 let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|place| place.to_array()).collect();
+                let places = vec![[0; 2]; positions.len()];
                 self.geometry.push(Geometry::new(
                     gpu,
                     &positions,
-                    &vec![[0; 2]; positions.len()],
+                    &places,
                     &mesh.indices,
+                    pieces(scene, mesh),
                 ));
                 self.geometry.len() - 1
             });
-            let indices = 0..mesh.indices.len() as u32;
-            self.draws.push(Draw { geometry, indices, instance, placed: None });
+            self.draws.push(Draw { geometry, instance, placed: None });
         }
     }
 }
 
-/// The indices of a mesh's triangles that have texels, or have none, as few ranges as possible.
-fn ranges(scene: &Scene, mesh: &Mesh) -> Vec<(bool, Range<u32>)> {
-    let mut ranges: Vec<(bool, Range<u32>)> = Vec::new();
-    for (triangle, has) in has_texels(scene, mesh).enumerate() {
-        let end = 3 * (triangle as u32 + 1);
-        match ranges.last_mut().filter(|(of, _)| *of == has) {
-            Some((_, range)) => range.end = end,
-            None => ranges.push((has, end - 3..end)),
-        }
-    }
-    ranges
+fn pieces(scene: &Scene, mesh: &Mesh) -> Vec<Piece> {
+    let piece = |part: &Part| Piece {
+        indices: part.indices.clone(),
+        bounds: Some(part.bounds),
+        has_texels: receives(scene, part),
+    };
+    mesh.parts.iter().map(piece).collect()
 }
 
 /// A scene of what moves alone, without pictures.

@@ -3,11 +3,11 @@
 //!
 //! Depth is reversed, and positions are relative to the eye, in f64 until they are uploaded.
 
-use glam::{DMat4, Vec2};
+use glam::{DMat3, DMat4, DVec4, Vec2};
 use umbrage_render::{ComingPicture, Gpu, RenderError};
-use umbrage_scene::{Instance, Scene};
+use umbrage_scene::{Aabb, Instance, Scene};
 
-use super::geometry::{Draw, Geometry, Surfaces, moving};
+use super::geometry::{Draw, Geometry, Piece, Surfaces, moving};
 use super::timer::Timer;
 use super::unwrap::{Placed, Unwrapped};
 use crate::error::RivalError;
@@ -50,8 +50,8 @@ impl Pass {
                 mapped_at_creation: false,
             })
         };
-        // One more for what moves.
-        let bytes = (surfaces.draws.len() + 1) * size_of::<Place>();
+        // With texels and without; and what moves.
+        let bytes = 2 * (surfaces.draws.len() + 1) * size_of::<Place>();
         let most = gpu.device.limits().max_storage_buffer_binding_size;
         if bytes as u64 > most {
             return Err(RenderError::TooLarge { what: "instances", bytes: bytes as u64, most });
@@ -87,7 +87,7 @@ impl Pass {
         if width == 0 || height == 0 || width > most || height > most {
             return Err(RenderError::PictureSize { width, height, most }.into());
         }
-        let moving = self.place(view)?;
+        let sights = self.place(view)?;
         let targets =
             [(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC), (DEPTH_FORMAT, wgpu::TextureUsages::empty())];
         let [colour, depth] = targets.map(|(format, usage)| {
@@ -95,7 +95,7 @@ impl Pass {
         });
         let mut seen = Seen { visibility: Vec::with_capacity(lights.len()), milliseconds: 0.0 };
         for lights in lights.chunks(LIGHTS_AT_ONCE) {
-            seen.milliseconds += self.draw([&colour, &depth], &moving, lights)?;
+            seen.milliseconds += self.draw([&colour, &depth], &sights, lights)?;
             let picture = picture(&self.gpu, &colour)?;
             let of = |channel: usize| {
                 let known = |pixel: &[u8; 4]| (pixel[3] == 255).then(|| f32::from(pixel[channel]) / 255.0);
@@ -108,29 +108,35 @@ impl Pass {
         Ok(seen)
     }
 
-    /// Writes where everything stands as the camera sees it, and returns what moves.
-    fn place(&self, view: &View<'_>) -> Result<Option<(Geometry, std::ops::Range<u32>)>, RenderError> {
+    /// Writes where everything stands as the camera sees it; what moves comes last.
+    fn place(&self, view: &View<'_>) -> Result<Sights, RenderError> {
         let [width, height] = view.size;
         let camera = umbrage_render::camera(view.camera, width as f32 / height as f32)?;
         let eye = camera.eye().as_dvec3();
-        let view_from_eye =
-            DMat4::from_mat3(glam::DMat3::from_mat4(camera.world_from_view().as_dmat4()).transpose());
-        let clip_from_eye = camera.clip_from_view().as_dmat4() * view_from_eye;
-        let places = self.surfaces.draws.iter().map(|draw| {
-            let world_from_mesh = self.instances[draw.instance].world_from_mesh.as_dmat4();
-            place(clip_from_eye * DMat4::from_translation(-eye) * world_from_mesh, draw.placed.as_ref())
-        });
-        let places: Vec<Place> = places.chain([place(clip_from_eye, None)]).collect();
+        let view_from_eye = DMat3::from_mat4(camera.world_from_view().as_dmat4()).transpose();
+        let clip_from_eye = camera.clip_from_view().as_dmat4() * DMat4::from_mat3(view_from_eye);
+        let clip_from_world = clip_from_eye * DMat4::from_translation(-eye);
+        let of_draw =
+            |draw: &Draw| clip_from_world * self.instances[draw.instance].world_from_mesh.as_dmat4();
+        let clip_from_mesh: Vec<DMat4> =
+            self.surfaces.draws.iter().map(of_draw).chain([clip_from_eye]).collect();
+        let placed = self.surfaces.draws.iter().map(|draw| draw.placed.as_ref()).chain([None]);
+        let places: Vec<Place> = clip_from_mesh
+            .iter()
+            .zip(placed)
+            .flat_map(|(clip_from_mesh, placed)| [placed, None].map(|placed| place(clip_from_mesh, placed)))
+            .collect();
         self.gpu.queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&places));
         let moves = !self.moving.instances.is_empty();
-        Ok(moves.then(|| Geometry::moving(&self.gpu, &self.moving, view.pose, eye)))
+        let moving = moves.then(|| Geometry::moving(&self.gpu, &self.moving, view.pose, eye));
+        Ok(Sights { clip_from_mesh, moving })
     }
 
     /// Draws some lights at once, and waits for it: the milliseconds that it took.
     fn draw(
         &mut self,
         [colour, depth]: [&wgpu::Texture; 2],
-        moving: &Option<(Geometry, std::ops::Range<u32>)>,
+        sights: &Sights,
         lights: &[Option<usize>],
     ) -> Result<f64, RenderError> {
         let layer = |i: usize| match lights.get(i).copied().flatten() {
@@ -146,25 +152,33 @@ impl Pass {
         let mut pass = begin(&mut encoder, [&view(colour), &view(depth)], writes);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
-        let mut bound = None;
-        for (number, Draw { geometry, indices, .. }) in (0..).zip(&self.surfaces.draws) {
-            if bound != Some(*geometry) {
-                bind(&mut pass, &self.surfaces.geometry[*geometry]);
-                bound = Some(*geometry);
+        let still = self.surfaces.draws.iter().map(|draw| &self.surfaces.geometry[draw.geometry]);
+        let all = still.chain(&sights.moving).zip(&sights.clip_from_mesh);
+        for (number, (geometry, clip_from_mesh)) in (0..).step_by(2).zip(all) {
+            pass.set_vertex_buffer(0, geometry.positions.slice(..));
+            pass.set_vertex_buffer(1, geometry.places.slice(..));
+            pass.set_index_buffer(geometry.indices.slice(..), wgpu::IndexFormat::Uint32);
+            for Piece { indices, bounds, has_texels } in &geometry.pieces {
+                if bounds.is_none_or(|bounds| may_be_seen(clip_from_mesh, bounds)) {
+                    let place = number + u32::from(!has_texels);
+                    pass.draw_indexed(indices.clone(), 0, place..place + 1);
+                }
             }
-            pass.draw_indexed(indices.clone(), 0, number..number + 1);
-        }
-        if let Some((geometry, indices)) = moving {
-            bind(&mut pass, geometry);
-            let last = self.surfaces.draws.len() as u32;
-            pass.draw_indexed(indices.clone(), 0, last..last + 1);
         }
         drop(pass);
         self.timer.submit(&self.gpu, encoder)
     }
 }
 
-fn place(clip_from_mesh: DMat4, placed: Option<&Placed>) -> Place {
+/// How everything is seen from a camera.
+struct Sights {
+    /// The transform of each draw, and of what moves.
+    clip_from_mesh: Vec<DMat4>,
+    /// What moves, relative to the eye.
+    moving: Option<Geometry>,
+}
+
+fn place(clip_from_mesh: &DMat4, placed: Option<&Placed>) -> Place {
     let mut place = [0.0; 24];
     place[..16].copy_from_slice(&clip_from_mesh.as_mat4().to_cols_array());
     let (min, size) = placed.map_or((Vec2::ZERO, Vec2::ZERO), |placed| (placed.min, placed.size));
@@ -173,10 +187,19 @@ fn place(clip_from_mesh: DMat4, placed: Option<&Placed>) -> Place {
     place
 }
 
-fn bind(pass: &mut wgpu::RenderPass<'_>, geometry: &Geometry) {
-    pass.set_vertex_buffer(0, geometry.positions.slice(..));
-    pass.set_vertex_buffer(1, geometry.places.slice(..));
-    pass.set_index_buffer(geometry.indices.slice(..), wgpu::IndexFormat::Uint32);
+/// Whether a box is not all on the wrong side of one of the planes of what is seen.
+fn may_be_seen(clip_from_mesh: &DMat4, Aabb { min, max }: Aabb) -> bool {
+    let corners = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| {
+        let pick = |axis: usize| f64::from(if i >> axis & 1 == 0 { min[axis] } else { max[axis] });
+        *clip_from_mesh * DVec4::new(pick(0), pick(1), pick(2), 1.0)
+    });
+    let are_all = |is_out: fn(&DVec4) -> bool| corners.iter().all(is_out);
+    !(are_all(|c| c.x < -c.w)
+        || are_all(|c| c.x > c.w)
+        || are_all(|c| c.y < -c.w)
+        || are_all(|c| c.y > c.w)
+        || are_all(|c| c.z < 0.0)
+        || are_all(|c| c.z > c.w))
 }
 
 /// Begins the pass: the sky is lit and known, and far.

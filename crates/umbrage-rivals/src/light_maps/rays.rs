@@ -2,13 +2,15 @@
 //!
 //! A texel is the mean of the points that it shows. Those that the light does not shine at do not count, and neither do those
 //! of a closed mesh that are turned away from it: nobody sees them from the side that is lit, and their darkness would reach
-//! over the terminator into what is lit.
+//! over the terminator into what is lit. Nor do those inside of another body that casts: what stands on a ground would darken
+//! the ground around it.
 
 use glam::DVec2;
 use rayon::prelude::*;
 use umbrage_judge::{Light, Triangles, World};
-use umbrage_scene::{Pose, Scene};
+use umbrage_scene::{Mesh, Pose, Scene};
 
+use super::bodies::bodies;
 use super::texels::{Band, Face, Shown, Texels, faces, pattern};
 use super::unwrap::Unwrapped;
 
@@ -26,6 +28,8 @@ pub(super) struct Still<'a> {
     unwrapped: &'a Unwrapped,
     triangles: Triangles,
     world: World,
+    /// What is solid of it: bodies that cast, whose triangles face outward.
+    bodies: World,
     /// Where each instance's triangles begin in `triangles`.
     first: Vec<usize>,
     /// The side of each instance's triangles that is outside: 1 or −1 times their normals; 0 where its mesh is open.
@@ -38,7 +42,7 @@ impl<'a> Still<'a> {
     /// Builds the BVH of what stands still.
     pub fn new(scene: &Scene, unwrapped: &'a Unwrapped, rays: u32) -> Self {
         let triangles = Triangles::of(scene, &Pose::default()).standing();
-        let closed: Vec<bool> = scene.meshes.par_iter().map(umbrage_scene::Mesh::is_closed).collect();
+        let closed: Vec<bool> = scene.meshes.par_iter().map(Mesh::is_closed).collect();
         let mut count = 0;
         let (first, outside) = scene
             .instances
@@ -52,11 +56,12 @@ impl<'a> Still<'a> {
                 (first, if closed[instance.mesh] { side } else { 0.0 })
             })
             .unzip();
-        let world = World::build(triangles.clone());
+        let is_body = bodies(scene, &closed);
         Self {
             unwrapped,
+            world: World::build(triangles.clone()),
+            bodies: World::build(triangles.only(|i| is_body[i])),
             triangles,
-            world,
             first,
             outside,
             faces: faces(scene, unwrapped),
@@ -101,6 +106,7 @@ impl<'a> Still<'a> {
         if is_nothing || facing * self.outside[instance] < 0.0 {
             return None;
         }
-        self.world.visibility(light, &point)
+        let share = self.world.visibility(light, &point)?;
+        (share >= 1.0 || !self.bodies.encloses(light, &point)).then_some(share)
     }
 }

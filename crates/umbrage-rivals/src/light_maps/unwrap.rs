@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use glam::{Mat3, Vec2};
-use umbrage_scene::{Instance, Mesh, Scene};
+use umbrage_scene::{Instance, Mesh, Part, Scene};
 use uvunwrap::{Atlas, Density, MeshInput, Options, OutputMesh};
 
 use super::{BakeProgress, BakeStep, Tell};
@@ -89,13 +89,14 @@ pub(super) fn unwrap(scene: &Scene, side: u32, tell: &Tell<'_>) -> Result<Unwrap
     })
 }
 
-/// Whether each triangle of a mesh has texels.
+/// Whether a part of a mesh has texels: where it is solid, and light changes how it looks.
+pub(super) fn receives(scene: &Scene, part: &Part) -> bool {
+    scene.materials.get(part.material).is_none_or(|material| material.is_solid() && !material.unlit)
+}
+
+/// The same of each triangle of a mesh.
 pub(super) fn has_texels<'a>(scene: &'a Scene, mesh: &'a Mesh) -> impl Iterator<Item = bool> + 'a {
-    mesh.parts.iter().flat_map(|part| {
-        let material = scene.materials.get(part.material);
-        let has = material.is_none_or(|material| material.is_solid() && !material.unlit);
-        std::iter::repeat_n(has, part.indices.len() / 3)
-    })
+    mesh.parts.iter().flat_map(|part| std::iter::repeat_n(receives(scene, part), part.indices.len() / 3))
 }
 
 /// What is unwrapped once: a mesh as it is scaled in the world.
