@@ -53,7 +53,7 @@ pub use flip::flip_mean;
 pub use light::{Light, Toward};
 pub use pool::Part;
 pub use progress::{Progress, Tile};
-pub use smooth::{Smooth, soft, sub_pixel};
+pub use smooth::{Smooth, sobol, soft, sub_pixel};
 pub use surface_point::SurfacePoint;
 pub use triangle::Ray;
 pub use triangles::Triangles;

@@ -1,9 +1,10 @@
 //! Bakes light maps of a world, and says how wrong they are where they know something.
 //!
-//! `cargo run --release -p umbrage-rivals --example light_maps -- WORLD [MiB] [LIGHTS] [FOLDER] [PICTURE.png]`
+//! `cargo run --release -p umbrage-rivals --example light_maps -- WORLD [MiB] [LIGHTS] [FOLDER] [PICTURE.png] [RAYS]`
 //!
 //! WORLD is a built-in world or a glTF file; LIGHTS is how many of its lights are baked, the brightest first, 1 by default;
-//! FOLDER is where what is baked is kept (`-` for nowhere). What moves casts nothing in the truth, as in light maps.
+//! FOLDER is where what is baked is kept (`-` for nowhere, as for PICTURE); RAYS is how many a texel has at most, 16 by
+//! default. What moves casts nothing in the truth, as in light maps.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -23,7 +24,7 @@ fn main() -> Result<(), Failure> {
     let word = |i: usize| words.get(i).map(String::as_str);
     let scene = scene(word(0).ok_or("which world?")?)?;
     let mebibytes: u64 = word(1).unwrap_or("16").parse()?;
-    let options = LightMapOptions { bytes: mebibytes << 20, ..LightMapOptions::default() };
+    let options = LightMapOptions { bytes: mebibytes << 20, rays: word(5).unwrap_or("16").parse()? };
     let lights = brightest(&scene, word(2).unwrap_or("1").parse()?);
     let folder = word(3).filter(|folder| *folder != "-").map(Path::new);
 
@@ -47,7 +48,7 @@ fn main() -> Result<(), Failure> {
     println!("baking                {:.1} s, {} rays", baked - unwrapped, maps.rays());
     println!("bytes                 {:.2} MiB", maps.bytes() as f64 / f64::from(1 << 20));
     println!(
-        "instances             {} served, {} left",
+        "instances             {} stand still or cast nothing, {} left",
         scene.instances.len() - maps.left().len(),
         maps.left().len()
     );
@@ -58,7 +59,7 @@ fn main() -> Result<(), Failure> {
     let seen = maps.see(&view)?;
     println!("a picture             {:.2} ms on {}", seen.milliseconds, gpu.adapter);
     let truth = judge(&scene, &maps, &view, &seen);
-    if let Some(path) = word(4) {
+    if let Some(path) = word(4).filter(|path| *path != "-") {
         save(&seen, &truth, Path::new(path))?;
     }
     Ok(())

@@ -15,9 +15,9 @@ use crate::rival::Rival;
 pub enum Family {
     /// Static shadows, baked into texels of the surfaces that receive them: [`crate::LightMaps`].
     LightMaps {
-        /// The bytes of all lights' texels together, 4096 or more: [`crate::LightMapOptions::bytes`].
+        /// The bytes of all lights' texels together, 4096 to 2³⁰: [`crate::LightMapOptions::bytes`].
         bytes: u64,
-        /// The number of rays a texel, 1 to 64: [`crate::LightMapOptions::rays`].
+        /// The most rays that a texel has, 1 to 64: [`crate::LightMapOptions::rays`].
         rays: u32,
     },
 }

@@ -33,22 +33,22 @@ use rays::Still;
 /// What light maps are made with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LightMapOptions {
-    /// The bytes of all lights' texels together, 4096 or more; 16 MiB by default, as maps have. A texel and light is one byte.
+    /// The bytes of all lights' texels together, 4096 to 2³⁰; 16 MiB by default, as maps have. A texel and light is one byte.
     pub bytes: u64,
-    /// The number of rays a texel, 1 to 64; 4 by default.
+    /// The most rays that a texel has, 1 to 64; 16 by default. Where the first four say the same there are no more.
     pub rays: u32,
 }
 
 impl Default for LightMapOptions {
     fn default() -> Self {
-        Self { bytes: 16 << 20, rays: 4 }
+        Self { bytes: 16 << 20, rays: 16 }
     }
 }
 
 impl LightMapOptions {
     fn validate(self) -> Result<(), RivalError> {
-        if self.bytes < 4096 {
-            return Err(RivalError::Setting { name: "bytes", got: self.bytes, wanted: "4096 or more" });
+        if !(4096..=1 << 30).contains(&self.bytes) {
+            return Err(RivalError::Setting { name: "bytes", got: self.bytes, wanted: "4096 to 1073741824" });
         }
         if !(1..=64).contains(&self.rays) {
             return Err(RivalError::Setting { name: "rays", got: self.rays.into(), wanted: "1 to 64" });
@@ -75,7 +75,7 @@ pub struct BakeProgress {
     pub done: usize,
     /// How much there is to do in the step; `None` where that is not known.
     pub total: Option<usize>,
-    /// The number of rays that were traced so far.
+    /// The number of rays so far, as [`LightMaps::rays`] counts them.
     pub rays: u64,
 }
 
@@ -163,7 +163,7 @@ impl LightMaps {
         self.charts
     }
 
-    /// Returns the number of rays that this bake traced; none of what was kept in files.
+    /// Returns the number of rays whose answers texels are the means of; none for what was kept in files.
     pub fn rays(&self) -> u64 {
         self.rays
     }

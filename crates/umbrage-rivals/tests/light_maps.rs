@@ -207,7 +207,9 @@ fn options_out_of_range_and_too_little_room_are_errors() {
         let options = LightMapOptions { bytes, rays };
         LightMaps::bake(&gpu, &scene, (std::slice::from_ref(&light), &still()), options, None, &|_| true)
     };
-    for (bytes, rays, name) in [(4095, 4, "bytes"), (4096, 0, "rays"), (4096, 65, "rays")] {
+    for (bytes, rays, name) in
+        [(4095, 4, "bytes"), (u64::MAX, 4, "bytes"), (4096, 0, "rays"), (4096, 65, "rays")]
+    {
         let error = bake(bytes, rays).expect_err("out of range").to_string();
         assert!(error.contains(name), "{error}");
     }
@@ -216,12 +218,16 @@ fn options_out_of_range_and_too_little_room_are_errors() {
 }
 
 #[test]
-fn an_empty_scene_is_lit() {
+fn an_empty_scene_is_lit_and_one_without_lights_is_not_known() {
     let gpu = gpu();
     let mut maps = baked(&gpu, &Scene::default(), &sun(), 64 << 10, None);
     assert_eq!((maps.charts(), maps.rays()), (0, 0));
     let seen = see(&mut maps, &camera(Vec3::ZERO), &sun());
     assert!(seen.visibility[0].iter().all(|share| *share == Some(1.0)));
+    let mut unlit =
+        Family::LightMaps { bytes: 4096, rays: 1 }.ready(&gpu, &scene_at(Vec3::ZERO)).expect("ready");
+    let view = View { camera: &camera(Vec3::ZERO), lights: &[sun()], pose: &still(), size: SIZE };
+    assert!(unlit.see(&view).expect("seen").visibility[0].iter().all(Option::is_none), "nothing was baked");
     let none = View { camera: &camera(Vec3::ZERO), lights: &[], pose: &still(), size: SIZE };
     assert!(maps.see(&none).expect("seen").visibility.is_empty());
 }

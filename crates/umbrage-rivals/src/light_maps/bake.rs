@@ -17,7 +17,7 @@ use crate::error::RivalError;
 pub(super) struct Baked {
     /// Visibility in 255ths, page by page, and row by row; the pages of the first light, then of the next.
     pub texels: Vec<u8>,
-    /// The number of rays that were traced.
+    /// The number of rays whose answers count, of those that were traced now.
     pub rays: u64,
 }
 

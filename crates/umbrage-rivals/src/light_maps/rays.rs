@@ -1,6 +1,6 @@
 //! How much of a light reaches what each texel shows, by the judge's rays past everything that stands still.
 //!
-//! A texel is the mean of the points that it shows. Those that the light does not shine at do not count, and neither do those
+//! A texel is the mean of the points that it shows, or of the first four where these are alike. Those that the light does not shine at do not count, and neither do those
 //! of a closed mesh that are turned away from it: nobody sees them from the side that is lit, and their darkness would reach
 //! over the terminator into what is lit. Nor do those inside of another body that casts: what stands on a ground would darken
 //! the ground around it.
@@ -16,6 +16,9 @@ use super::unwrap::Unwrapped;
 
 /// A texel that shows nothing. Others are their visibility in 254ths, and one.
 pub(super) const EMPTY: u8 = 0;
+
+/// The number of points that a texel is the mean of where they are alike.
+const FIRST: u64 = 4;
 
 /// The number of a texel that shows so much visibility.
 fn texel(visibility: f64) -> u8 {
@@ -79,7 +82,7 @@ impl<'a> Still<'a> {
         self.pattern.len() as u64
     }
 
-    /// Traces a band, of this number: its texels row by row, and the number of rays.
+    /// Traces a band, of this number: its texels row by row, and the number of rays that count.
     pub fn trace(&self, light: &Light, (number, band): (usize, &Band)) -> (Vec<u8>, u64) {
         let texels = Texels::new(self.unwrapped, &self.faces[number], band, &self.pattern);
         let count = self.unwrapped.size[0] as usize * band.rows.len();
@@ -88,13 +91,19 @@ impl<'a> Still<'a> {
         (bytes, rays.iter().sum())
     }
 
+    /// The mean of what a texel shows: of all of it only where the first few points differ.
     fn texel(&self, light: &Light, shown: impl Iterator<Item = Shown>) -> (u8, u64) {
-        let (mut sum, mut rays) = (0.0, 0u64);
+        let (mut sum, mut count) = (0.0, 0u64);
+        let (mut least, mut most) = (1f64, 0f64);
         for visibility in shown.filter_map(|shown| self.visibility(light, shown)) {
+            (least, most) = (least.min(visibility), most.max(visibility));
             sum += visibility;
-            rays += 1;
+            count += 1;
+            if count == FIRST && least == most {
+                break;
+            }
         }
-        (if rays > 0 { texel(sum / rays as f64) } else { EMPTY }, rays)
+        (if count > 0 { texel(sum / count as f64) } else { EMPTY }, count)
     }
 
     /// How much of the light reaches a point; `None` where that is nothing to go by.

@@ -80,7 +80,7 @@ impl<'a> Store<'a> {
         bytes.extend_from_slice(texels);
         bytes.extend_from_slice(&Sha256::digest(&bytes));
         let path = self.path(key, number);
-        let written = tempfile::NamedTempFile::new_in(self.folder).and_then(|mut file| {
+        let written = temporary(self.folder).and_then(|mut file| {
             file.write_all(&bytes)?;
             Ok(file.persist(&path)?)
         });
@@ -91,6 +91,15 @@ impl<'a> Store<'a> {
         let key: String = key.iter().map(|byte| format!("{byte:02x}")).collect();
         self.folder.join(format!("{key}-{number}.lightmap"))
     }
+}
+
+fn temporary(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "only Unix has permissions to set"))]
+    let mut builder = tempfile::Builder::new();
+    // As any file a program makes; temporary files are otherwise for their owner alone.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
+    builder.tempfile_in(folder)
 }
 
 /// What a band's file begins with.

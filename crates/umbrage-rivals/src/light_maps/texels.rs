@@ -186,10 +186,10 @@ fn clamped(weights: [f64; 3]) -> [f64; 3] {
     weights.map(|weight| weight / sum)
 }
 
-/// Points of the unit square, evenly spread: no two in one row or one column.
+/// Points of the unit square, of which the first few are spread as evenly as all are, which lie around its middle: the Sobol
+/// sequence.
 pub(super) fn pattern(rays: u32) -> Vec<DVec2> {
-    /// The golden ratio's fraction: multiples of it are spread evenly.
-    const STEP: f64 = 0.618_033_988_749_894_9;
-    let rows = |i: u32| (0.5 + STEP * f64::from(i)).fract();
-    (0..rays).map(|i| DVec2::new((f64::from(i) + 0.5) / f64::from(rays), rows(i))).collect()
+    let middle = DVec2::splat(0.5 / f64::from(rays));
+    let place = |i| DVec2::from(umbrage_judge::sobol(i).map(|share| f64::from(share) / 2f64.powi(32)));
+    (0..rays).map(|i| (place(i) + middle).fract()).collect()
 }
