@@ -8,7 +8,8 @@
 //! |---|---|
 //! | [`LightMaps`] | static shadows, baked by rays into texels of the surfaces that receive them |
 //!
-//! This crate does not: make a shadow map or know a setting of one, judge, or write files but those that [`LightMaps::bake`] keeps in a folder that it is given.
+//! This crate does not: make a shadow map or know a setting of one, judge, or write files, but those that [`LightMaps::bake`]
+//! keeps in a folder that it is given.
 
 mod error;
 mod family;
