@@ -68,6 +68,24 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "umbrage-rivals",
+        &[
+            "umbrage-scene",
+            "umbrage-render",
+            "umbrage-judge",
+            "bytemuck",
+            "glam",
+            "rayon",
+            "serde",
+            "sha2",
+            "tempfile",
+            "thiserror",
+            "uvunwrap",
+            "web-time",
+            "wgpu",
+        ],
+    ),
+    (
         "umbrage-viewer",
         &[
             "umbrage",

@@ -5,7 +5,7 @@
 //! is the same bit by bit, with a [`Tally`] of what is wrong so far. [`Error`] compares a [`ShadowResult`] with the truth: how many
 //! pixels are wrongly shadowed, which way, by how many pixels edges are displaced, and why. [`Deviation`] is how far
 //! visibility is from a truth between lit and shadowed. [`temporal`] judges a result that changes from frame to frame, and
-//! [`statistics`] says how sure a figure is.
+//! [`statistics`] says how sure a figure is. [`World::visibility`] is the truth of a [`SurfacePoint`], whoever sees it.
 //!
 //! Positions are in world space, metres; arithmetic is f64. Visibility is 1 for lit and 0 for shadowed. Pictures are
 //! rows of pixels from top to bottom.
@@ -35,6 +35,7 @@ mod progress;
 mod shadow_ray;
 mod sight;
 mod smooth;
+mod surface_point;
 mod triangle;
 mod triangles;
 mod truth;
@@ -52,7 +53,8 @@ pub use flip::flip_mean;
 pub use light::{Light, Toward};
 pub use pool::Part;
 pub use progress::{Progress, Tile};
-pub use smooth::{Smooth, soft, sub_pixel};
+pub use smooth::{Smooth, sobol, soft, sub_pixel};
+pub use surface_point::SurfacePoint;
 pub use triangle::Ray;
 pub use triangles::Triangles;
 pub use truth::{Pixel, Receiver, Truth};

@@ -100,8 +100,8 @@ fn on_disc(x: u32, y: u32) -> (f64, f64) {
     (radius * angle.cos(), radius * angle.sin())
 }
 
-/// The `index`th point of the first two dimensions of the Sobol sequence, as 32-bit fractions.
-fn sobol(index: u32) -> [u32; 2] {
+/// Computes the `index`th point of the first two dimensions of the Sobol sequence, as 32-bit fractions.
+pub fn sobol(index: u32) -> [u32; 2] {
     let mut second = 0;
     let mut direction = 1 << 31;
     for bit in 0..32 {

@@ -2,9 +2,10 @@
 //! another family of shadows with maps for what that leaves.
 
 use std::fmt::Debug;
+use std::path::Path;
 
 use umbrage_render::{Area, FrameTimes, Gpu, Renderer, Show};
-use umbrage_rivals::{Family, Left, Rival, View};
+use umbrage_rivals::{Family, Left, Rival, Tell, View};
 use umbrage_scene::Scene;
 use web_time::Instant;
 
@@ -67,13 +68,19 @@ pub struct OfFamily {
 }
 
 impl OfFamily {
-    /// Makes a family ready for a scene.
+    /// Makes a family ready for a scene, as [`Family::ready`] does.
     ///
     /// # Errors
     /// When the family or the maps of what it leaves cannot be made.
-    pub fn ready(gpu: &Gpu, scene: &Scene, family: Family) -> Result<Self, LabError> {
+    pub fn ready(
+        gpu: &Gpu,
+        scene: &Scene,
+        family: Family,
+        folder: Option<&Path>,
+        tell: &Tell<'_>,
+    ) -> Result<Self, LabError> {
         let start = Instant::now();
-        let rival = family.ready(gpu, scene)?;
+        let rival = family.ready(gpu, scene, folder, tell)?;
         let seconds = start.elapsed().as_secs_f64();
         let mut of_left = scene.clone();
         for (number, instance) in of_left.instances.iter_mut().enumerate() {

@@ -1,5 +1,7 @@
 //! What can go wrong.
 
+use std::path::PathBuf;
+
 /// A family of shadows cannot be used.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -16,4 +18,36 @@ pub enum RivalError {
     /// A share of blobs that is none.
     #[error("`soft` must be from 0 to 1, got {0}")]
     Soft(f32),
+    /// A setting is out of its range.
+    #[error("`{name}` is {got}, need {wanted}")]
+    Setting {
+        /// The setting's name.
+        name: &'static str,
+        /// The value it has.
+        got: u64,
+        /// The values it may have.
+        wanted: &'static str,
+    },
+    /// The surfaces of a scene cannot be laid out in texels.
+    #[error("the scene cannot be unwrapped: {0}")]
+    Unwrap(uvunwrap::Error),
+    /// Light maps do not fit their bytes, however coarse they are.
+    #[error("light maps of {charts} charts do not fit {bytes} bytes; give them more, or fewer lights")]
+    Room {
+        /// The charts that there are.
+        charts: u32,
+        /// The bytes that there may be.
+        bytes: u64,
+    },
+    /// A file or folder of what is baked cannot be written.
+    #[error("cannot write {}", path.display())]
+    File {
+        /// The file or folder.
+        path: PathBuf,
+        /// The reason that the system gives.
+        source: std::io::Error,
+    },
+    /// Whoever asked for a bake ended it.
+    #[error("the bake was cancelled")]
+    Cancelled,
 }

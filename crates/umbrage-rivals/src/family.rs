@@ -1,10 +1,13 @@
 //! The families of shadows beside maps, by name.
 
+use std::path::Path;
+
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
 
 use crate::blobs;
 use crate::error::RivalError;
+use crate::light_maps::{LightMapOptions, LightMaps, Tell};
 use crate::planar;
 use crate::plateaus;
 use crate::rival::Rival;
@@ -33,6 +36,15 @@ pub enum Family {
         #[cfg_attr(feature = "serde", serde(default = "our_sun"))]
         degrees: f32,
     },
+    /// Static shadows, baked into texels of the surfaces that receive them: [`crate::LightMaps`].
+    LightMaps {
+        /// The bytes of all lights' texels together, 4096 to 2³⁰; 16 MiB by default, as maps have.
+        #[cfg_attr(feature = "serde", serde(default = "usual_bytes"))]
+        bytes: u64,
+        /// The most rays that a texel has, 1 to 64; 16 by default.
+        #[cfg_attr(feature = "serde", serde(default = "usual_rays"))]
+        rays: u32,
+    },
 }
 
 /// The angle that our sun is seen under, degrees.
@@ -40,18 +52,39 @@ pub enum Family {
 fn our_sun() -> f32 {
     0.53
 }
+#[cfg(feature = "serde")]
+fn usual_bytes() -> u64 {
+    LightMapOptions::default().bytes
+}
+
+#[cfg(feature = "serde")]
+fn usual_rays() -> u32 {
+    LightMapOptions::default().rays
+}
 
 impl Family {
-    /// Makes the family ready for a scene.
+    /// Makes the family ready for a scene. What takes long is kept in `folder`, if there is one, and goes on from there the next
+    /// time; `tell` hears how far it is, and may end it. Only light maps take long.
     ///
     /// # Errors
-    /// When something that it needs exceeds the device's limits, or a setting is out of its range.
-    pub fn ready(self, gpu: &Gpu, scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
+    /// When something that it needs exceeds the device's limits, a setting is out of its range, a file cannot be written, or
+    /// `tell` ends it.
+    pub fn ready(
+        self,
+        gpu: &Gpu,
+        scene: &Scene,
+        folder: Option<&Path>,
+        tell: &Tell<'_>,
+    ) -> Result<Box<dyn Rival>, RivalError> {
         match self {
             Self::Blobs { soft } => Ok(Box::new(blobs::ready(gpu, scene, soft)?)),
             Self::Plateaus { degrees } => Ok(Box::new(plateaus::ready(gpu, scene, degrees)?)),
             Self::Planar {} => Ok(Box::new(planar::ready(gpu, scene)?)),
             Self::Volumes {} => Ok(Box::new(Volumes::new(gpu, scene)?)),
+            Self::LightMaps { bytes, rays } => {
+                let options = LightMapOptions { bytes, rays };
+                Ok(Box::new(LightMaps::ready(gpu, scene, options, folder, tell)?))
+            }
         }
     }
 }
@@ -70,7 +103,7 @@ mod tests {
         let text = r#"
             rivals = [
                 { kind = "volumes" }, { kind = "planar" }, { kind = "blobs" }, { kind = "plateaus" },
-                { kind = "plateaus", degrees = 2.0 },
+                { kind = "plateaus", degrees = 2.0 }, { kind = "light_maps", rays = 4 },
             ]
         "#;
         let Rivals { rivals } = toml::from_str(text).unwrap();
@@ -81,6 +114,7 @@ mod tests {
             Family::Blobs { soft: 0.0 },
             plateaus(0.53),
             plateaus(2.0),
+            Family::LightMaps { bytes: 16 << 20, rays: 4 },
         ];
         assert_eq!(rivals, wanted);
         assert!(toml::from_str::<Rivals>(r#"rivals = [{ kind = "planar", degrees = 2.0 }]"#).is_err());

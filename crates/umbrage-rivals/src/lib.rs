@@ -10,8 +10,10 @@
 //! | [`Family::Planar`] | casters flattened onto planes (Blinn 1988): exact on the largest planes, unknown elsewhere |
 //! | [`Family::Blobs`] | an ellipse for each caster, on the same planes |
 //! | [`Family::Plateaus`] | planar shadows with an outer penumbra (Haines 2001), on the same planes |
+//! | [`LightMaps`] | static shadows, baked by rays into texels of the surfaces that receive them |
 //!
-//! This crate does not: make a shadow map or know a setting of one, judge, or write files.
+//! This crate does not: make a shadow map or know a setting of one, judge, or write files, but those that [`LightMaps::bake`]
+//! keeps in a folder that it is given.
 
 mod blobs;
 mod buffers;
@@ -27,6 +29,7 @@ mod planar;
 mod planes;
 mod plateaus;
 mod receivers;
+mod light_maps;
 mod rival;
 mod shell;
 mod shining;
@@ -36,4 +39,5 @@ mod volumes;
 
 pub use error::RivalError;
 pub use family::Family;
+pub use light_maps::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Tell};
 pub use rival::{Left, Rival, Seen, View};

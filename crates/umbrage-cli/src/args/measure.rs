@@ -40,6 +40,9 @@ pub struct MeasureArgs {
     /// '{ kind = "plateaus", degrees = 2.0 }'. Maps serve what it leaves
     #[arg(long, value_name = "FAMILY", value_parser = family, conflicts_with = "motion")]
     pub family: Option<Family>,
+    /// A folder where light maps are kept, so that a bake that is cut off goes on the next time
+    #[arg(long, value_name = "DIR", requires = "family")]
+    pub keep: Option<PathBuf>,
     /// Judge also what another renderer drew of the same view, beside ours in the same pixels: a folder with its picture
     /// lit.png, the same without shadows, unshadowed.png, and by ambient light alone, ambient.png, without tone mapping.
     /// Pixels where the last two are alike are left out

@@ -12,6 +12,7 @@ use umbrage_lab::{
     Foreign, ForeignError, Judged, Laboratory, Measurement, Motion, OfFamily, SUB_PIXELS, Shot, Technique,
     TruthKind, Watch, Wrong, files,
 };
+use umbrage_rivals::{BakeProgress, Family};
 use umbrage_render::{Gpu, Picture};
 
 use crate::args::{MeasureArgs, MotionArg, TruthArg};
@@ -53,7 +54,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let bar = progress::bar(u64::from(args.repeats), "measuring");
-    let mut family = args.family.map(|family| OfFamily::ready(&gpu, &scene, family)).transpose()?;
+    let mut family = args.family.map(|family| ready(&gpu, &scene, family, args.keep.as_deref())).transpose()?;
     if let Some(family) = &family {
         advice::warn_of_left(&scene, family.left());
     }
@@ -92,6 +93,19 @@ pub fn run(args: &MeasureArgs) -> Outcome {
         None => output::print(&(text(measurement, intervals.as_ref()) + &foreign_text(pictures.as_ref())))?,
     }
     Ok(())
+}
+
+/// A family made ready, with a bar for what takes long.
+fn ready(gpu: &Gpu, scene: &Scene, family: Family, keep: Option<&Path>) -> Outcome<OfFamily> {
+    let bar = progress::bar(0, "making ready");
+    let tell = |so_far: BakeProgress| {
+        bar.set_length(so_far.total.unwrap_or(0) as u64);
+        bar.set_position(so_far.done as u64);
+        true
+    };
+    let ready = OfFamily::ready(gpu, scene, family, keep, &tell);
+    bar.finish_and_clear();
+    Ok(ready?)
 }
 
 fn technique(family: &mut Option<OfFamily>) -> Option<&mut dyn Technique> {
