@@ -65,7 +65,15 @@ impl<'a> Laboratory<'a> {
         let mut renderer = Renderer::new(gpu, scene, Settings::default())?;
         // What is measured is what maps cost that are drawn, and of each frame by itself.
         (renderer.keep_tiles, renderer.hold_plans) = (false, false);
-        Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default(), families: Vec::new(), folder: None })
+        Ok(Self {
+            scene,
+            gpu,
+            renderer,
+            world: None,
+            truths: Truths::default(),
+            families: Vec::new(),
+            folder: None,
+        })
     }
 
     /// The scene.

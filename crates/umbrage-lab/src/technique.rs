@@ -68,7 +68,7 @@ pub struct OfFamily {
 }
 
 impl OfFamily {
-    /// Makes a family ready for a scene, as [`Family::ready`] does.
+    /// Makes a family ready for a scene, as [`Family::ready_in`] does.
     ///
     /// # Errors
     /// When the family or the maps of what it leaves cannot be made.
@@ -80,7 +80,7 @@ impl OfFamily {
         tell: &Tell<'_>,
     ) -> Result<Self, LabError> {
         let start = Instant::now();
-        let rival = family.ready(gpu, scene, folder, tell)?;
+        let rival = family.ready_in(gpu, scene, folder, tell)?;
         let seconds = start.elapsed().as_secs_f64();
         let mut of_left = scene.clone();
         for (number, instance) in of_left.instances.iter_mut().enumerate() {

@@ -63,13 +63,21 @@ fn usual_rays() -> u32 {
 }
 
 impl Family {
+    /// Makes the family ready for a scene, and keeps nothing in files.
+    ///
+    /// # Errors
+    /// As [`Self::ready_in`].
+    pub fn ready(self, gpu: &Gpu, scene: &Scene) -> Result<Box<dyn Rival>, RivalError> {
+        self.ready_in(gpu, scene, None, &|_| true)
+    }
+
     /// Makes the family ready for a scene. What takes long is kept in `folder`, if there is one, and goes on from there the next
     /// time; `tell` hears how far it is, and may end it. Only light maps take long.
     ///
     /// # Errors
     /// When something that it needs exceeds the device's limits, a setting is out of its range, a file cannot be written, or
     /// `tell` ends it.
-    pub fn ready(
+    pub fn ready_in(
         self,
         gpu: &Gpu,
         scene: &Scene,

@@ -12,8 +12,9 @@ use umbrage_lab::{
     Foreign, ForeignError, Judged, Laboratory, Measurement, Motion, OfFamily, SUB_PIXELS, Shot, Technique,
     TruthKind, Watch, Wrong, files,
 };
-use umbrage_rivals::{BakeProgress, Family};
 use umbrage_render::{Gpu, Picture};
+use umbrage_rivals::{BakeProgress, Family};
+use umbrage_scene::Scene;
 
 use crate::args::{MeasureArgs, MotionArg, TruthArg};
 use crate::failure::{Failure, Outcome};
@@ -54,7 +55,8 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
     let bar = progress::bar(u64::from(args.repeats), "measuring");
-    let mut family = args.family.map(|family| ready(&gpu, &scene, family, args.keep.as_deref())).transpose()?;
+    let mut family =
+        args.family.map(|family| ready(&gpu, &scene, family, args.keep.as_deref())).transpose()?;
     if let Some(family) = &family {
         advice::warn_of_left(&scene, family.left());
     }
