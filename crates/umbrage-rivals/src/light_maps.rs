@@ -14,6 +14,7 @@ mod geometry;
 mod gutter;
 mod pass;
 mod rays;
+mod resources;
 mod store;
 mod texels;
 mod timer;

@@ -8,6 +8,7 @@ use umbrage_render::{ComingPicture, Gpu, RenderError};
 use umbrage_scene::{Aabb, Instance, Scene};
 
 use super::geometry::{Draw, Geometry, Piece, Surfaces, moving};
+use super::resources::{COLOUR_FORMAT, DEPTH_FORMAT, atlas, group, pipeline, texture};
 use super::timer::Timer;
 use super::unwrap::{Placed, Unwrapped};
 use crate::error::RivalError;
@@ -15,9 +16,6 @@ use crate::rival::{Seen, View};
 
 /// The lights of one picture: the fourth number says what is known.
 const LIGHTS_AT_ONCE: usize = 3;
-
-const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// What an instance is drawn with: the shader's `Place`, of 24 numbers.
 type Place = [f32; 24];
@@ -230,113 +228,6 @@ fn begin<'e>(
         timestamp_writes,
         occlusion_query_set: None,
         multiview_mask: None,
-    })
-}
-
-/// A texture of a width, a height and a number of layers.
-fn texture(
-    gpu: &Gpu,
-    [width, height, depth_or_array_layers]: [u32; 3],
-    format: wgpu::TextureFormat,
-    usage: wgpu::TextureUsages,
-) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("Pass::texture"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage,
-        view_formats: &[],
-    })
-}
-
-/// The atlas, one layer a page and light.
-fn atlas(gpu: &Gpu, unwrapped: &Unwrapped, texels: &[u8]) -> wgpu::TextureView {
-    let [width, height] = unwrapped.size;
-    let layers = (texels.len() / (width as usize * height as usize)) as u32;
-    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-    let size = [width, height, layers.max(1)];
-    let atlas = texture(gpu, size, wgpu::TextureFormat::R8Unorm, usage);
-    let rows =
-        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width), rows_per_image: Some(height) };
-    let copied = wgpu::Extent3d { width, height, depth_or_array_layers: layers };
-    gpu.queue.write_texture(atlas.as_image_copy(), texels, rows, copied);
-    atlas.create_view(&wgpu::TextureViewDescriptor {
-        dimension: Some(wgpu::TextureViewDimension::D2Array),
-        ..Default::default()
-    })
-}
-
-fn group(
-    gpu: &Gpu,
-    pipeline: &wgpu::RenderPipeline,
-    [places, lights]: [&wgpu::Buffer; 2],
-    atlas: &wgpu::TextureView,
-) -> wgpu::BindGroup {
-    let bilinear = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("Pass::bilinear"),
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        ..Default::default()
-    });
-    let resources = [
-        places.as_entire_binding(),
-        wgpu::BindingResource::TextureView(atlas),
-        wgpu::BindingResource::Sampler(&bilinear),
-        lights.as_entire_binding(),
-    ];
-    let mut binding = 0..;
-    let entries = resources
-        .map(|resource| wgpu::BindGroupEntry { binding: binding.next().unwrap_or_default(), resource });
-    let layout = &pipeline.get_bind_group_layout(0);
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("Pass::group"),
-        layout,
-        entries: &entries,
-    })
-}
-
-fn pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
-    let module = gpu.device.create_shader_module(wgpu::include_wgsl!("read.wgsl"));
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("Pass::pipeline"),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("surface"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[
-                Some(wgpu::VertexBufferLayout {
-                    array_stride: 12,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-                }),
-                Some(wgpu::VertexBufferLayout {
-                    array_stride: 4,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![1 => Unorm16x2],
-                }),
-            ],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: DEPTH_FORMAT,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Greater),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("reach"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(COLOUR_FORMAT.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
     })
 }
 

@@ -33,6 +33,8 @@ pub(super) struct Still<'a> {
     world: World,
     /// What is solid of it: bodies that cast, whose triangles face outward.
     bodies: World,
+    /// Whether each of `triangles` is one of those.
+    is_body: Vec<bool>,
     /// Where each instance's triangles begin in `triangles`.
     first: Vec<usize>,
     /// The side of each instance's triangles that is outside: 1 or −1 times their normals; 0 where its mesh is open.
@@ -64,6 +66,7 @@ impl<'a> Still<'a> {
             unwrapped,
             world: World::build(triangles.clone()),
             bodies: World::build(triangles.only(|i| is_body[i])),
+            is_body,
             triangles,
             first,
             outside,
@@ -74,7 +77,9 @@ impl<'a> Still<'a> {
 
     /// Everything that is traced, as bytes: equal where it is the same.
     pub fn bytes(&self) -> Vec<u8> {
-        self.triangles.to_bytes()
+        let mut bytes = self.triangles.to_bytes();
+        bytes.extend(self.is_body.iter().map(|is_body| u8::from(*is_body)));
+        bytes
     }
 
     /// The rays a texel.

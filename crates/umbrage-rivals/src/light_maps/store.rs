@@ -22,6 +22,7 @@ use sha2::{Digest as _, Sha256};
 use super::texels::Band;
 use crate::error::RivalError;
 
+/// What files begin with. The number is another whenever texels come to be computed otherwise.
 const MAGIC: &[u8; 20] = b"umbrage light map 1\n";
 
 /// A SHA-256.

@@ -1,4 +1,4 @@
-//! A court: boxes, a ball's worth of them, and a thin wall on a ground of 20 m, anywhere in the world.
+//! A court: boxes, a thin wall and a plate on a ground of 20 m, anywhere in the world.
 
 use std::sync::Arc;
 

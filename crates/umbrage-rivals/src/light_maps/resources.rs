@@ -1,0 +1,119 @@
+//! What the pass holds on the device: the atlas, the pictures that it draws, and the pipeline that reads one into the other.
+
+use umbrage_render::Gpu;
+
+use super::unwrap::Unwrapped;
+
+/// Depth is reversed: 1 near and 0 far.
+pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// The visibility of three lights, and whether it is known.
+pub(super) const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// A texture of a width, a height and a number of layers.
+pub(super) fn texture(
+    gpu: &Gpu,
+    [width, height, depth_or_array_layers]: [u32; 3],
+    format: wgpu::TextureFormat,
+    usage: wgpu::TextureUsages,
+) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("Pass::texture"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage,
+        view_formats: &[],
+    })
+}
+
+/// The atlas, one layer a page and light.
+pub(super) fn atlas(gpu: &Gpu, unwrapped: &Unwrapped, texels: &[u8]) -> wgpu::TextureView {
+    let [width, height] = unwrapped.size;
+    let layers = (texels.len() / (width as usize * height as usize)) as u32;
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let size = [width, height, layers.max(1)];
+    let atlas = texture(gpu, size, wgpu::TextureFormat::R8Unorm, usage);
+    let rows =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width), rows_per_image: Some(height) };
+    let copied = wgpu::Extent3d { width, height, depth_or_array_layers: layers };
+    gpu.queue.write_texture(atlas.as_image_copy(), texels, rows, copied);
+    atlas.create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2Array),
+        ..Default::default()
+    })
+}
+
+/// What the shader reads.
+pub(super) fn group(
+    gpu: &Gpu,
+    pipeline: &wgpu::RenderPipeline,
+    [places, lights]: [&wgpu::Buffer; 2],
+    atlas: &wgpu::TextureView,
+) -> wgpu::BindGroup {
+    let bilinear = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("Pass::bilinear"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    });
+    let resources = [
+        places.as_entire_binding(),
+        wgpu::BindingResource::TextureView(atlas),
+        wgpu::BindingResource::Sampler(&bilinear),
+        lights.as_entire_binding(),
+    ];
+    let mut binding = 0..;
+    let entries = resources
+        .map(|resource| wgpu::BindGroupEntry { binding: binding.next().unwrap_or_default(), resource });
+    let layout = &pipeline.get_bind_group_layout(0);
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("Pass::group"),
+        layout,
+        entries: &entries,
+    })
+}
+
+/// The pipeline: everything is drawn from both sides, and the nearest is kept.
+pub(super) fn pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
+    let module = gpu.device.create_shader_module(wgpu::include_wgsl!("read.wgsl"));
+    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("Pass::pipeline"),
+        layout: None,
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("surface"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[
+                Some(wgpu::VertexBufferLayout {
+                    array_stride: 12,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+                }),
+                Some(wgpu::VertexBufferLayout {
+                    array_stride: 4,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &wgpu::vertex_attr_array![1 => Unorm16x2],
+                }),
+            ],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Greater),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("reach"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(COLOUR_FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
