@@ -78,6 +78,17 @@ pub const FERKO: Document = Document {
     ],
 };
 
+/// Other families of shadows beside maps.
+pub const FAMILIES: Document = Document {
+    path: "docs/families.md",
+    head: include_str!("families/head.md"),
+    chapters: &[Chapter {
+        name: "families",
+        found: include_str!("families/found.md"),
+        enlarged: &["primitives", "closed-room"],
+    }],
+};
+
 impl Document {
     /// Runs the experiments, unless `pages` is a folder that has their reports already, and writes the document.
     pub fn write(&self, adapter: Option<&str>, pages: Option<&Path>) -> anyhow::Result<()> {
@@ -155,6 +166,22 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
+    use crate::command::root;
+
+    #[test]
+    fn every_chapter_says_what_it_found_and_its_experiment_enlarges_what_it_shows() {
+        for chapter in [CLAIMS, FERKO, FAMILIES].iter().flat_map(|document| document.chapters) {
+            let Chapter { name, found, enlarged } = chapter;
+            let path = root().join(format!("experiments/{name}.toml"));
+            let experiment = std::fs::read_to_string(path).expect("an experiment");
+            let parts = experiment.split_once("[enlarged]\n").map_or("", |(_, rest)| rest);
+            let parts = parts.split("\n[").next().unwrap_or_default();
+            for world in *enlarged {
+                assert!(parts.contains(&format!("{world} = [")), "{name} does not enlarge {world}");
+            }
+            assert!(found.split_whitespace().count() > 20, "{name} says nothing of what was found");
+        }
+    }
 
     /// A folder that is gone after the test, with the report of one experiment.
     struct Folder(std::path::PathBuf);

@@ -168,8 +168,8 @@ fn a_report_that_was_cut_off_gives_the_same_page_as_one_that_ran_through() {
         let out = folder.path().join(name);
         stdout(&["report", text(&experiment), "-o", text(&out)]);
         let sheet = image::open(out.join("small-primitives.png")).expect("a contact sheet");
-        // Two ways from two cameras, 40 x 30 pixels five times as large.
-        assert_eq!((sheet.width(), sheet.height()), (8 + 4 * 208, 8 + 180));
+        // Two variants and the exact picture from two cameras, 40 x 30 pixels five times as large.
+        assert_eq!((sheet.width(), sheet.height()), (8 + 6 * 208, 8 + 180));
         ["html", "json", "csv"].map(|extension| {
             std::fs::read_to_string(out.join(format!("small.{extension}"))).expect("written")
         })

@@ -151,8 +151,10 @@ impl Settings {
         let falloff = f64::from(self.resolution_falloff);
         let side = |split: u32| match split {
             0 => first,
-            _ => ((f64::from(first) * falloff.powi(split as i32) / 8.0).round() as u32 * 8)
-                .clamp(LEAST_TILE, LARGEST_TILE),
+            _ => {
+                let eighths = (f64::from(first) * falloff.powi(split as i32) / 8.0).round();
+                eighths.clamp(f64::from(LEAST_TILE / 8), f64::from(LARGEST_TILE / 8)) as u32 * 8
+            }
         };
         (0..splits).take(MAX_SPLITS).map(|split| if falloff == 1.0 { first } else { side(split) }).collect()
     }

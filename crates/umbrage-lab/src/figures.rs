@@ -14,7 +14,7 @@ pub enum Format {
     Pixels,
     /// A time is written in milliseconds.
     Milliseconds,
-    /// Seconds.
+    /// A time is written in seconds.
     Seconds,
     /// A number of bytes is written in MiB.
     Bytes,

@@ -1,6 +1,5 @@
 //! Measures one picture: draws it, traces what is true of it, compares the two, and times the drawing.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -52,8 +51,6 @@ pub struct Laboratory<'a> {
     truths: Truths,
     /// The families of shadows that were asked for.
     families: Vec<(Family, OfFamily)>,
-    /// The folder in which families keep what takes long to make; `None`, the default, keeps nothing.
-    pub folder: Option<PathBuf>,
 }
 
 impl<'a> Laboratory<'a> {
@@ -65,15 +62,7 @@ impl<'a> Laboratory<'a> {
         let mut renderer = Renderer::new(gpu, scene, Settings::default())?;
         // What is measured is what maps cost that are drawn, and of each frame by itself.
         (renderer.keep_tiles, renderer.hold_plans) = (false, false);
-        Ok(Self {
-            scene,
-            gpu,
-            renderer,
-            world: None,
-            truths: Truths::default(),
-            families: Vec::new(),
-            folder: None,
-        })
+        Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default(), families: Vec::new() })
     }
 
     /// The scene.
@@ -298,7 +287,7 @@ impl<'a> Laboratory<'a> {
     pub(crate) fn take_family(&mut self, family: Family) -> Result<OfFamily, LabError> {
         match self.families.iter().position(|(kept, _)| *kept == family) {
             Some(kept) => Ok(self.families.swap_remove(kept).1),
-            None => OfFamily::ready(self.gpu, self.scene, family, self.folder.as_deref(), &|_| true),
+            None => OfFamily::ready(self.gpu, self.scene, family, None, &|_| true),
         }
     }
 

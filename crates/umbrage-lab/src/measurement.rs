@@ -29,7 +29,8 @@ pub struct Measurement {
     pub settings: Settings,
     /// The number of texels of all shadow maps.
     pub texels: u64,
-    /// The bytes of all shadow maps, and of what is made of them to be read.
+    /// The bytes of all shadow maps, and of what is made of them to be read; with another family of shadows its bytes, and those
+    /// of the maps that serve what it leaves.
     pub bytes: u64,
     /// What it took to make another family of shadows than maps ready; absent for maps.
     #[serde(default)]

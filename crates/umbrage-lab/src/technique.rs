@@ -1,6 +1,7 @@
 //! How the shadows of a picture are made, where that is not by one set of shadow maps: by maps for many points of a light, or by
 //! another family of shadows with maps for what that leaves.
 
+use std::collections::HashSet;
 use std::fmt::Debug;
 use std::path::Path;
 
@@ -62,7 +63,7 @@ pub struct OfFamily {
     rival: Box<dyn Rival>,
     /// Draws the scene with none but those casters; `None` where there are none.
     left: Option<Renderer>,
-    /// Whether there were pixels that the family knew nothing of, so that maps of all casters served them.
+    /// Whether the last picture had pixels that the family knew nothing of, so that maps of all casters served them.
     asks_maps: bool,
     seconds: f64,
 }
@@ -82,9 +83,10 @@ impl OfFamily {
         let start = Instant::now();
         let rival = family.ready_in(gpu, scene, folder, tell)?;
         let seconds = start.elapsed().as_secs_f64();
+        let numbers: HashSet<usize> = rival.left().iter().map(|left| left.instance).collect();
         let mut of_left = scene.clone();
         for (number, instance) in of_left.instances.iter_mut().enumerate() {
-            instance.casts &= rival.left().iter().any(|left| left.instance == number);
+            instance.casts &= numbers.contains(&number);
         }
         let is_needed = of_left.instances.iter().any(|instance| instance.casts);
         let left = is_needed.then(|| Renderer::new(gpu, &of_left, Default::default())).transpose()?;
@@ -111,8 +113,12 @@ impl OfFamily {
 impl Technique for OfFamily {
     fn visibility(&mut self, renderer: &mut Renderer, shot: &Shot) -> Result<Vec<Vec<f32>>, LabError> {
         let seen = self.rival.see(&view(shot))?.visibility;
-        self.asks_maps |= seen.iter().flatten().any(Option::is_none);
+        self.asks_maps = seen.iter().flatten().any(Option::is_none);
         let mut left = self.maps_of_left(renderer)?;
+        if let Some(left) = &mut left {
+            // What a picture shows does not depend on those before.
+            left.forget_looks();
+        }
         let of_light = |(light, seen): (usize, Vec<Option<f32>>)| {
             let left = left.as_mut().map(|left| by_maps(left, shot, light)).transpose()?;
             // Maps of all casters serve where the family knows nothing.
@@ -136,6 +142,8 @@ impl Technique for OfFamily {
             let maps = left.render(&shot.frame(Show::World)?)?.times;
             let plain = left.render(&shot.frame(Show::Unshadowed)?)?.times;
             times += maps;
+            times.plan -= plain.plan;
+            times.deform -= plain.deform;
             times.shade -= plain.shade;
             times.frame -= plain.frame;
         }

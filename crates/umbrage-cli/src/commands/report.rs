@@ -17,7 +17,7 @@ pub fn run(args: &ReportArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let hash = |world: &str| scenes.get(world).map_or_else(|| Ok(String::new()), files::scene_hash);
     let entries = experiment.runs(&gpu.adapter.to_string(), &files::program_hash()?, hash)?;
-    let rows = measure(&gpu, &scenes, &entries, (&store, &args.output))?;
+    let rows = measure(&gpu, &scenes, &entries, &store)?;
     let name = args.experiment.file_stem().map_or_else(|| "report".into(), |stem| stem.to_string_lossy());
     let path = |extension: &str| args.output.join(format!("{name}.{extension}"));
     let report = page::report(&experiment, &args.experiment.to_string_lossy(), &rows)?;
@@ -70,7 +70,7 @@ fn measure(
     gpu: &Gpu,
     scenes: &BTreeMap<String, Scene>,
     entries: &[Entry],
-    (store, folder): (&Store, &Path),
+    store: &Store,
 ) -> Result<Vec<Row>, LabError> {
     let bar = progress::bar(entries.len() as u64, "runs");
     let mut current: Option<(&str, Laboratory<'_>)> = None;
@@ -83,11 +83,7 @@ fn measure(
                 .ok_or_else(|| LabError::World { name: run.world.clone() })?;
             let (_, laboratory) = match current.take().filter(|(current, _)| current == name) {
                 Some(same) => current.insert(same),
-                None => {
-                    let mut laboratory = Laboratory::new(gpu, scene)?;
-                    laboratory.folder = Some(folder.join("families"));
-                    current.insert((name, laboratory))
-                }
+                None => current.insert((name, Laboratory::new(gpu, scene)?)),
             };
             laboratory.measure(run)
         },
