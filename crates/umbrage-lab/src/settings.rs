@@ -5,7 +5,7 @@ mod layers;
 pub use layers::Layers;
 
 use toml::{Table, Value};
-use umbrage::{PRESETS, Preset, Settings, SettingsError, schema};
+use umbrage::{Filter, PRESETS, Preset, Settings, SettingsError, Shade, schema};
 
 /// No setting lies deeper than `filter.size`; a little more, so that the error can say which key it does not know.
 const DEEPEST: usize = 4;
@@ -111,21 +111,34 @@ pub fn from_key(key: &str, mut value: Value) -> Result<Table, WrongSettings> {
     Ok(Table::from_iter([((*first).to_owned(), value)]))
 }
 
-/// Lays `over` onto `table`. Tables are merged, but a table with another `kind` replaces what was there.
+/// Lays `over` onto `table`. Tables are merged, but one of another `kind` is laid onto what that kind has by default.
 pub fn overlay(table: &mut Table, over: Table) {
     for (key, value) in over {
         match (table.get_mut(&key), value) {
             (Some(Value::Table(old)), Value::Table(new)) => {
-                if new.get("kind").is_some_and(|kind| old.get("kind") != Some(kind)) {
-                    *old = new;
-                } else {
-                    overlay(old, new);
+                if let Some(kind) = new.get("kind").filter(|kind| old.get("kind") != Some(kind)) {
+                    *old = of_kind(&key, kind).unwrap_or_default();
                 }
+                overlay(old, new);
             }
             (_, value) => {
                 table.insert(key, value);
             }
         }
+    }
+}
+
+/// The table that a kind of filter or of shade has by default; `None` where there is no such kind.
+fn of_kind(key: &str, kind: &Value) -> Option<Table> {
+    let kind = kind.as_str()?;
+    let settings = match key {
+        "filter" => Settings { filter: Filter::of_kind(kind)?, ..Settings::default() },
+        "shade" => Settings { shade: Shade::of_kind(kind)?, ..Settings::default() },
+        _ => return None,
+    };
+    match Table::try_from(settings).ok()?.remove(key)? {
+        Value::Table(table) => Some(table),
+        _ => None,
     }
 }
 

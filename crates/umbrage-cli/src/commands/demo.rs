@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use anyhow::Context as _;
 use image::RgbaImage;
-use umbrage::{LightKind, Preset, ShadowPlan};
+use umbrage::{LightKind, Settings, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
 use umbrage_render::{Drawn, Frame, Gpu, Mark, Picture, Renderer, Show};
 use umbrage_scene::{Scene, Shining};
@@ -40,7 +40,7 @@ const RUNS: u32 = 5;
 /// What the rows are, in the column that has no shadow maps to show.
 const LEGEND: [&str; 16] = [
     "Upper row: the world as it is drawn; here with exact shadows,",
-    "a ray from every pixel to the light.",
+    "rays from every pixel to the light.",
     "",
     "Second row: where shadows are wrong. Orange is shadowed and",
     "should be lit, blue is lit and should be shadowed. What is",
@@ -76,11 +76,13 @@ pub fn run(args: &DemoArgs) -> Outcome {
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
     let shot = main_shot(&scene)?;
     let mut laboratory = Laboratory::new(&gpu, &scene)?;
-    let ways = [("One shadow map of 1024²", "zhang-ssm-1024"), ("Four splits of 1448²", "default")];
-    let bar = progress::bar(ways.len() as u64, "drawing and judging");
+    let four = Settings::default();
+    // The same bytes and all else alike: what differs is the splits.
+    let one = Settings { splits: 1, resolution: 2 * four.resolution, ..four.clone() };
+    let bar = progress::bar(2, "drawing and judging");
     let mut columns = Vec::new();
-    for (what, preset) in ways {
-        columns.push(column(&mut laboratory, &shot, what, preset, gpu.adapter.timestamps)?);
+    for settings in [one, four] {
+        columns.push(column(&mut laboratory, &shot, &settings, gpu.adapter.timestamps)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -122,25 +124,28 @@ fn main_shot(scene: &Scene) -> Outcome<Shot> {
 fn column(
     laboratory: &mut Laboratory<'_>,
     shot: &Shot,
-    what: &str,
-    preset: &str,
+    settings: &Settings,
     has_timestamps: bool,
 ) -> Outcome<Column> {
-    let settings = (Preset::named(preset).with_context(|| format!("there is a preset {preset}"))?.settings)();
-    let judged = laboratory.judge(shot, &settings, None, TruthKind::Hard, RUNS)?;
+    // Two by two samples a pixel for what is drawn and for what is exact.
+    let large = Shot { width: 2 * shot.width, height: 2 * shot.height, ..shot.clone() };
+    let Judged { shaded, true_picture, .. } = laboratory.judge(&large, settings, None, TruthKind::Hard, 0)?;
+    let (shadowed, truth) = (halved(&image_of(shaded)?), halved(&image_of(true_picture)?));
+    let judged = laboratory.judge(shot, settings, None, TruthKind::Hard, RUNS)?;
     let renderer = laboratory.renderer();
-    let smooth = |show| Ok::<_, anyhow::Error>(Frame { samples: 4, ..shot.frame(show)? });
-    let drawn = renderer.render(&smooth(Show::World)?)?.drawn;
-    let shadowed = image_of(drawn.picture()?)?;
+    let drawn = renderer.render(&Frame { samples: 4, ..shot.frame(Show::World)? })?.drawn;
     let maps = thumbnails(renderer, &drawn);
     let tinted = image_of(renderer.show(&drawn, &Show::Marked(Mark::Splits))?.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
-    let Judged { heat_map, true_picture, plan: judged_plan, .. } = judged;
-    let (wrong, truth) = (image_of(heat_map)?, image_of(true_picture)?);
-    // Words and splits are a sun's.
-    let title = match main_rays(&judged_plan) {
-        Some(LightKind::Directional { .. }) => format!("{what} ({preset})"),
-        _ => format!("{} ({preset})", views_text(&judged_plan)),
+    let Judged { heat_map, plan: judged_plan, .. } = judged;
+    let wrong = image_of(heat_map)?;
+    // Splits are a sun's.
+    let title = match (main_rays(&judged_plan), settings.splits) {
+        (Some(LightKind::Directional { .. }), 1) => format!("One shadow map of {}²", settings.resolution),
+        (Some(LightKind::Directional { .. }), splits) => {
+            format!("{splits} splits of {}²", settings.resolution)
+        }
+        _ => views_text(&judged_plan),
     };
     Ok(Column { title, shadowed, wrong, tinted, maps, words, truth })
 }
@@ -187,6 +192,11 @@ fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> 
             times.casters.median, times.shade.median
         ),
     ])
+}
+
+/// A picture of half the size: each pixel is the mean of four.
+fn halved(picture: &RgbaImage) -> RgbaImage {
+    image::imageops::thumbnail(picture, picture.width() / 2, picture.height() / 2)
 }
 
 fn image_of(picture: Picture) -> anyhow::Result<RgbaImage> {

@@ -1,6 +1,6 @@
 //! `umbrage plan`: where the camera's depth is cut, and what each view covers.
 
-use umbrage::{Light, Projection, ShadowPlan, Warp};
+use umbrage::{Light, LightKind, Projection, ShadowPlan, Warp};
 use umbrage_render::Show;
 
 use crate::args::PlanArgs;
@@ -74,13 +74,15 @@ fn text(plan: &ShadowPlan, warp: Warp) -> String {
         );
     }
     let layout = plan.layout();
-    text + &format!(
-        "{} texels, {} bytes\nunder a sun overhead, {:.0} texels a pixel at worst; the least there is are {:.1}\n",
-        layout.texels(),
-        layout.bytes(),
-        storage_factor(plan, warp),
-        min_storage_factor(plan)
-    )
+    text += &format!("{} texels, {} bytes\n", layout.texels(), layout.bytes());
+    if plan.lights().iter().any(|light| matches!(light.kind(), LightKind::Directional { .. })) {
+        text += &format!(
+            "under a sun overhead, {:.0} texels a pixel at worst; the least there is are {:.1}\n",
+            storage_factor(plan, warp),
+            min_storage_factor(plan)
+        );
+    }
+    text
 }
 
 #[cfg(test)]
