@@ -26,7 +26,8 @@ impl Held {
         self.bytes
     }
 
-    /// Makes a buffer that shaders bind, of 32 bytes at least, since one of no size cannot be bound.
+    /// Makes a buffer that shaders bind, of 32 bytes at least, since one of no size cannot be bound. A longer one has the length
+    /// that was asked for, so that shaders which ask for the length of a list in it hear the number of what is listed.
     pub fn buffer(
         &mut self,
         what: &'static str,
@@ -35,7 +36,7 @@ impl Held {
     ) -> Result<wgpu::Buffer, RenderError> {
         let limits = self.gpu.device.limits();
         let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        let size = bytes.max(32).next_multiple_of(16);
+        let size = bound(bytes);
         if size > most {
             return Err(RenderError::TooLarge { what, bytes: size, most });
         }
@@ -61,6 +62,11 @@ impl Held {
         self.gpu.queue.write_buffer(&buffer, 0, &bytes);
         Ok(buffer)
     }
+}
+
+/// The bytes of a buffer for so many bytes.
+fn bound(bytes: u64) -> u64 {
+    bytes.max(32).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT)
 }
 
 /// A list as shaders read it.
@@ -94,4 +100,19 @@ pub(crate) fn bind(
     let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
     let entries: Vec<_> = resources.map(entry).collect();
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::UVec2;
+
+    #[test]
+    fn a_list_of_an_odd_number_of_jobs_has_no_job_more() {
+        for jobs in [5, 65_535, 65_537] {
+            let bytes = storage_bytes(&vec![UVec2::ONE; jobs]).len() as u64;
+            assert_eq!(bound(bytes), 8 * jobs as u64);
+        }
+        assert_eq!((bound(0), bound(33)), (32, 36), "what can be bound and written");
+    }
 }
