@@ -15,16 +15,13 @@ pub enum RivalError {
         "shadow volumes end at infinity, and a camera whose rays are parallel cannot count them there; use a perspective camera"
     )]
     ParallelRays,
-    /// A share of blobs that is none.
-    #[error("`soft` must be from 0 to 1, got {0}")]
-    Soft(f32),
     /// A setting is out of its range.
     #[error("`{name}` is {got}, need {wanted}")]
     Setting {
         /// The setting's name.
         name: &'static str,
         /// The value it has.
-        got: u64,
+        got: String,
         /// The values it may have.
         wanted: &'static str,
     },
@@ -50,4 +47,16 @@ pub enum RivalError {
     /// Whoever asked for a bake ended it.
     #[error("the bake was cancelled")]
     Cancelled,
+}
+
+impl RivalError {
+    /// Refuses a setting, unless it is in its range.
+    pub(crate) fn unless(
+        is_in_range: bool,
+        name: &'static str,
+        got: impl ToString,
+        wanted: &'static str,
+    ) -> Result<(), Self> {
+        if is_in_range { Ok(()) } else { Err(Self::Setting { name, got: got.to_string(), wanted }) }
+    }
 }

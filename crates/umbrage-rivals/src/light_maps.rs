@@ -47,14 +47,15 @@ impl Default for LightMapOptions {
 }
 
 impl LightMapOptions {
-    fn validate(self) -> Result<(), RivalError> {
-        if !(4096..=1 << 30).contains(&self.bytes) {
-            return Err(RivalError::Setting { name: "bytes", got: self.bytes, wanted: "4096 to 1073741824" });
-        }
-        if !(1..=64).contains(&self.rays) {
-            return Err(RivalError::Setting { name: "rays", got: self.rays.into(), wanted: "1 to 64" });
-        }
-        Ok(())
+    /// Says which option is out of its range.
+    pub(crate) fn validate(self) -> Result<(), RivalError> {
+        RivalError::unless(
+            (4096..=1 << 30).contains(&self.bytes),
+            "bytes",
+            self.bytes,
+            "4096 to 1073741824",
+        )?;
+        RivalError::unless((1..=64).contains(&self.rays), "rays", self.rays, "1 to 64")
     }
 }
 

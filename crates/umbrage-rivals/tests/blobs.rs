@@ -63,6 +63,6 @@ fn a_room_that_holds_the_lamp_is_no_blob() {
 fn a_share_that_is_none_is_refused() {
     for soft in [-0.1, 1.1, f32::NAN] {
         let refused = Family::Blobs { soft }.ready(&gpu(), &scene(vec![]));
-        assert!(matches!(refused, Err(RivalError::Soft(_))), "{soft}");
+        assert!(matches!(refused, Err(RivalError::Setting { name: "soft", .. })), "{soft}");
     }
 }
