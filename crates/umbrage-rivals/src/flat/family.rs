@@ -87,7 +87,7 @@ impl Flattened {
             }
         }
         let times = stopwatch.resolve(gpu, &mut encoder);
-        let copies = marks.copy(gpu, &mut encoder);
+        let copies = marks.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
         let visibility = marks.read(gpu, copies)?;
         let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;

@@ -8,7 +8,7 @@ use umbrage_render::{ComingPicture, Gpu, RenderError};
 use umbrage_scene::{Aabb, Instance, Scene};
 
 use super::geometry::{Draw, Geometry, Piece, Surfaces, moving};
-use super::resources::{COLOUR_FORMAT, DEPTH_FORMAT, atlas, group, pipeline, texture};
+use super::resources::{Targets, atlas, group, pipeline};
 use super::timer::Timer;
 use super::unwrap::{Placed, Unwrapped};
 use crate::error::RivalError;
@@ -33,12 +33,21 @@ pub(super) struct Pass {
     instances: Vec<Instance>,
     moving: Scene,
     pages: u32,
+    /// What the last picture was drawn into.
+    targets: Option<Targets>,
     timer: Timer,
 }
 
 impl Pass {
     /// Uploads a scene and its light maps.
+    ///
+    /// # Errors
+    /// When the device has no room for them.
     pub fn new(gpu: &Gpu, scene: &Scene, unwrapped: &Unwrapped, texels: &[u8]) -> Result<Self, RenderError> {
+        gpu.allocate("the light maps", || Self::uploaded(gpu, scene, unwrapped, texels))
+    }
+
+    fn uploaded(gpu: &Gpu, scene: &Scene, unwrapped: &Unwrapped, texels: &[u8]) -> Result<Self, RenderError> {
         let surfaces = Surfaces::new(gpu, scene, unwrapped);
         let buffer = |label, size: usize, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -68,6 +77,7 @@ impl Pass {
             instances: scene.instances.clone(),
             moving: moving(scene),
             pages: unwrapped.pages,
+            targets: None,
             timer: Timer::new(gpu),
         })
     }
@@ -86,15 +96,14 @@ impl Pass {
             return Err(RenderError::PictureSize { width, height, most }.into());
         }
         let sights = self.place(view)?;
-        let targets =
-            [(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC), (DEPTH_FORMAT, wgpu::TextureUsages::empty())];
-        let [colour, depth] = targets.map(|(format, usage)| {
-            texture(&self.gpu, [width, height, 1], format, usage | wgpu::TextureUsages::RENDER_ATTACHMENT)
-        });
+        let targets = match self.targets.take().filter(|targets| targets.size == view.size) {
+            Some(same) => same,
+            None => Targets::new(&self.gpu, view.size)?,
+        };
         let mut seen = Seen { visibility: Vec::with_capacity(lights.len()), milliseconds: 0.0 };
         for lights in lights.chunks(LIGHTS_AT_ONCE) {
-            seen.milliseconds += self.draw([&colour, &depth], &sights, lights)?;
-            let picture = picture(&self.gpu, &colour)?;
+            seen.milliseconds += self.draw(&targets, &sights, lights)?;
+            let picture = picture(&self.gpu, &targets.colour)?;
             let of = |channel: usize| {
                 let known = |pixel: &[u8; 4]| (pixel[3] == 255).then(|| f32::from(pixel[channel]) / 255.0);
                 picture.as_chunks().0.iter().map(known).collect()
@@ -103,6 +112,7 @@ impl Pass {
             let all = lights.iter().enumerate();
             seen.visibility.extend(all.map(|(i, light)| if light.is_some() { of(i) } else { unknown() }));
         }
+        self.targets = Some(targets);
         Ok(seen)
     }
 
@@ -126,14 +136,14 @@ impl Pass {
             .collect();
         self.gpu.queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&places));
         let moves = !self.moving.instances.is_empty();
-        let moving = moves.then(|| Geometry::moving(&self.gpu, &self.moving, view.pose, eye));
+        let moving = moves.then(|| Geometry::moving(&self.gpu, &self.moving, view.pose, eye)).transpose()?;
         Ok(Sights { clip_from_mesh, moving })
     }
 
     /// Draws some lights at once, and waits for it: the milliseconds that it took.
     fn draw(
         &mut self,
-        [colour, depth]: [&wgpu::Texture; 2],
+        targets: &Targets,
         sights: &Sights,
         lights: &[Option<usize>],
     ) -> Result<f64, RenderError> {
@@ -147,7 +157,7 @@ impl Pass {
         let label = wgpu::CommandEncoderDescriptor { label: Some("Pass::encoder") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
         let writes = self.timer.begin();
-        let mut pass = begin(&mut encoder, [&view(colour), &view(depth)], writes);
+        let mut pass = begin(&mut encoder, [&view(&targets.colour), &view(&targets.depth)], writes);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
         let still = self.surfaces.draws.iter().map(|draw| &self.surfaces.geometry[draw.geometry]);
