@@ -29,12 +29,23 @@ pub enum RivalError {
     #[error("the scene cannot be unwrapped: {0}")]
     Unwrap(uvunwrap::Error),
     /// Light maps do not fit their bytes, however coarse they are.
-    #[error("light maps of {charts} charts do not fit {bytes} bytes; give them more, or fewer lights")]
+    #[error("light maps of {lights} lights do not fit {bytes} bytes; give them more, or fewer lights")]
     Room {
-        /// The charts that there are.
-        charts: u32,
+        /// The number of lights.
+        lights: u64,
         /// The bytes that there may be.
         bytes: u64,
+    },
+    /// Light maps need more layers of a texture than the adapter's textures have.
+    #[error(
+        "light maps need {layers} layers, one for each page of each light; this adapter's textures have {most}; bake \
+         fewer lights"
+    )]
+    Layers {
+        /// The number of layers that they need.
+        layers: u64,
+        /// The largest number.
+        most: u32,
     },
     /// A file or folder of what is baked cannot be written.
     #[error("cannot write {}", path.display())]

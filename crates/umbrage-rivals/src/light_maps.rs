@@ -30,6 +30,7 @@ use crate::error::RivalError;
 use crate::rival::{Left, Rival, Seen, View};
 use pass::Pass;
 use rays::Still;
+use unwrap::Unwrapped;
 
 /// What light maps are made with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,16 +124,7 @@ impl LightMaps {
     ) -> Result<Self, RivalError> {
         options.validate()?;
         let lights: Vec<Light> = lights.iter().map(|light| Light::at(light, pose)).collect();
-        let count = lights.len().max(1) as u64;
-        let side = (options.bytes / count).isqrt().min(gpu.device.limits().max_texture_dimension_2d.into());
-        let unwrapped = unwrap::unwrap(scene, side as u32, tell)?;
-        let [width, height] = unwrapped.size.map(u64::from);
-        let layers = count * u64::from(unwrapped.pages);
-        if width * height * layers > options.bytes
-            || layers > gpu.device.limits().max_texture_array_layers.into()
-        {
-            return Err(RivalError::Room { charts: unwrapped.charts, bytes: options.bytes });
-        }
+        let unwrapped = laid_out(gpu, scene, lights.len(), options.bytes, tell)?;
         let still = Still::new(scene, &unwrapped, options.rays);
         let bake::Baked { texels, rays } = bake::bake(&still, &unwrapped, &lights, folder, tell)?;
         Ok(Self {
@@ -205,6 +197,37 @@ impl Rival for LightMaps {
         let lights: Vec<Option<usize>> = view.lights.iter().map(baked).collect();
         self.pass.see(view, &lights)
     }
+}
+
+/// Lays out a scene in pages that so many lights can have in so many bytes.
+fn laid_out(
+    gpu: &Gpu,
+    scene: &Scene,
+    lights: usize,
+    bytes: u64,
+    tell: &Tell<'_>,
+) -> Result<Unwrapped, RivalError> {
+    let limits = gpu.device.limits();
+    let lights = lights.max(1) as u64;
+    let side = (bytes / lights).isqrt().min(limits.max_texture_dimension_2d.into());
+    if side < unwrap::LEAST_SIDE.into() {
+        return Err(RivalError::Room { lights, bytes });
+    }
+    // There is a page at least: what cannot be is not waited for.
+    fitting(lights, limits.max_texture_array_layers)?;
+    let unwrapped = unwrap::unwrap(scene, side as u32, tell)?;
+    let [width, height] = unwrapped.size.map(u64::from);
+    let layers = lights * u64::from(unwrapped.pages);
+    if width * height * layers > bytes {
+        return Err(RivalError::Room { lights, bytes });
+    }
+    fitting(layers, limits.max_texture_array_layers)?;
+    Ok(unwrapped)
+}
+
+/// Refuses more layers than a texture may have.
+fn fitting(layers: u64, most: u32) -> Result<(), RivalError> {
+    if layers <= most.into() { Ok(()) } else { Err(RivalError::Layers { layers, most }) }
 }
 
 /// What is not baked, since it does not stand still.

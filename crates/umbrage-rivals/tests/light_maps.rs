@@ -218,6 +218,36 @@ fn options_out_of_range_and_too_little_room_are_errors() {
 }
 
 #[test]
+fn too_many_lights_for_bytes_or_layers_are_errors_that_say_which() {
+    let (gpu, scene) = (gpu(), scene_at(Vec3::ZERO));
+    let bake = |lights, bytes| {
+        let lights = vec![sun(); lights];
+        let told = |_| panic!("nothing is begun");
+        LightMaps::bake(&gpu, &scene, (&lights, &still()), options(bytes), None, &told).expect_err("too many")
+    };
+    let error = bake(200, 4096);
+    assert!(matches!(error, RivalError::Room { lights: 200, bytes: 4096 }), "{error}");
+    let limit = gpu.device.limits().max_texture_array_layers;
+    let error = bake(limit as usize + 1, 1 << 20);
+    assert!(matches!(error, RivalError::Layers { most, .. } if most == limit), "{error}");
+}
+
+#[test]
+fn a_vertex_that_is_nowhere_takes_its_triangles_and_nothing_else() {
+    let (gpu, camera) = (gpu(), camera(Vec3::ZERO));
+    let mut scene = scene_at(Vec3::ZERO);
+    let mut torn = scene.meshes[0].clone();
+    torn.positions[0].x = f32::NAN;
+    scene.meshes.push(torn);
+    scene.instances[2].mesh = 1;
+    let mut maps = baked(&gpu, &scene, &sun(), 256 << 10, None);
+    let seen = see(&mut maps, &camera, &sun());
+    assert_eq!(at(&camera, &seen, Vec3::new(0.0, 0.0, 5.0)), Some(1.0), "the ground");
+    let tally = tally(&scene, maps.left(), &camera, &sun(), &seen.visibility[0]);
+    assert!(tally.judged > 15_000 && tally.mis_shadowed() < 0.01, "{tally:?}");
+}
+
+#[test]
 fn an_empty_scene_is_lit_and_one_without_lights_is_not_known() {
     let gpu = gpu();
     let mut maps = baked(&gpu, &Scene::default(), &sun(), 64 << 10, None);
