@@ -34,9 +34,7 @@ impl Held {
         bytes: u64,
         usage: wgpu::BufferUsages,
     ) -> Result<wgpu::Buffer, RenderError> {
-        let limits = self.gpu.device.limits();
-        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        let size = bound(bytes);
+        let (size, most) = (bound(bytes), self.most());
         if size > most {
             return Err(RenderError::TooLarge { what, bytes: size, most });
         }
@@ -50,6 +48,25 @@ impl Held {
         let made = self.gpu.allocate(what, || Ok::<_, RenderError>(device.create_buffer(&descriptor)))?;
         self.bytes += size;
         Ok(made)
+    }
+
+    /// Makes a buffer that shaders bind in the place of one that was outgrown, if there was one: with room to grow, where the
+    /// device has it.
+    pub fn outgrown(
+        &mut self,
+        what: &'static str,
+        old: Option<wgpu::Buffer>,
+        bytes: u64,
+    ) -> Result<wgpu::Buffer, RenderError> {
+        self.bytes -= old.map_or(0, |old| old.size());
+        self.buffer(what, roomy(bytes, self.most()), wgpu::BufferUsages::STORAGE)
+    }
+
+    /// The bytes that a buffer may have.
+    fn most(&self) -> u64 {
+        let limits = self.gpu.device.limits();
+        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        most - most % wgpu::COPY_BUFFER_ALIGNMENT
     }
 
     /// Makes a buffer that shaders read, with something in it.
@@ -67,6 +84,11 @@ impl Held {
 /// The bytes of a buffer for so many bytes.
 fn bound(bytes: u64) -> u64 {
     bytes.max(32).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT)
+}
+
+/// The bytes of a buffer that has room for more than so many, as far as it may have.
+fn roomy(bytes: u64, most: u64) -> u64 {
+    bytes.next_power_of_two().min(most).max(bytes)
 }
 
 /// A list as shaders read it.
@@ -114,5 +136,19 @@ mod tests {
             assert_eq!(bound(bytes), 8 * jobs as u64);
         }
         assert_eq!((bound(0), bound(33)), (32, 36), "what can be bound and written");
+    }
+
+    #[test]
+    fn an_outgrown_buffer_is_not_held_any_more() {
+        let mut held = Held::new(&Gpu::new(None).expect("an adapter"));
+        let small = held.outgrown("a list", None, 100).unwrap();
+        assert_eq!((small.size(), held.bytes()), (128, 128));
+        let large = held.outgrown("a list", Some(small), 200).unwrap();
+        assert_eq!((large.size(), held.bytes()), (256, 256));
+    }
+
+    #[test]
+    fn room_to_grow_ends_where_buffers_do() {
+        assert_eq!([roomy(100, 1000), roomy(100, 120), roomy(130, 120)], [128, 120, 130]);
     }
 }
