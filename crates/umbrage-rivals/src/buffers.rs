@@ -16,12 +16,7 @@ impl Held {
         Self { gpu: gpu.clone(), bytes: 0 }
     }
 
-    /// Counts bytes that are held beside the device.
-    pub fn count(&mut self, bytes: u64) {
-        self.bytes += bytes;
-    }
-
-    /// The bytes of all that was made or counted.
+    /// The bytes of all that was made and is still held.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }

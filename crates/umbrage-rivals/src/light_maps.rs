@@ -184,9 +184,10 @@ impl Rival for LightMaps {
         &self.left
     }
 
-    /// The texels of all lights, and where surfaces lie among them: 4 bytes a vertex, and 20 an instance.
+    /// The texels of all lights, where surfaces lie among them, 4 bytes a vertex and 192 an instance, and 8 bytes for each pixel of
+    /// the last picture: what is known, and depth.
     fn bytes(&self) -> u64 {
-        self.texels.len() as u64 + self.pass.layout_bytes()
+        self.texels.len() as u64 + self.pass.bytes()
     }
 
     fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError> {

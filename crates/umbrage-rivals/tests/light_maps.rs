@@ -112,6 +112,7 @@ fn a_light_that_was_not_baked_is_not_known() {
     scene.lights = vec![sun(), lamp(place)];
     let family = Family::LightMaps { bytes: 1 << 20, rays: 1 };
     let mut maps = family.ready(&gpu, &scene).expect("ready");
+    let before = maps.bytes();
     let other = Light::sun(Vec3::NEG_Y, 1.0);
     let lights = [lamp(place), other, sun(), lamp(place), sun()];
     let view = View { camera: &camera, lights: &lights, pose: &still(), size: SIZE };
@@ -123,7 +124,8 @@ fn a_light_that_was_not_baked_is_not_known() {
         let error = tally(&scene, &[], &camera, light, seen).mis_shadowed();
         assert!(error < 0.005, "{}: {error}", light.name);
     }
-    assert!(seen.milliseconds > 0.0 && maps.bytes() > 500_000);
+    assert!(seen.milliseconds > 0.0 && before > 500_000);
+    assert_eq!(maps.bytes() - before, 8 * u64::from(SIZE[0] * SIZE[1]), "the picture counts");
 }
 
 #[test]

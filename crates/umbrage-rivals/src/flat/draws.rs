@@ -133,7 +133,6 @@ const FLATTEST: f64 = 1e-4;
 
 impl Draws {
     pub fn new(held: &mut Held, casters: Casters, thing: Thing) -> Result<Self, RivalError> {
-        held.count(casters.shells.iter().map(Shell::bytes).sum());
         let (mut positions, mut triangles, mut edges) = (Vec::new(), Vec::new(), Vec::new());
         let mut firsts = Vec::new();
         for shell in &casters.shells {

@@ -45,8 +45,6 @@ pub(super) struct Draw {
 pub(super) struct Surfaces {
     pub geometry: Vec<Geometry>,
     pub draws: Vec<Draw>,
-    /// The number of vertices that have a place in the atlas, and of instances that have a rectangle there.
-    pub placed: [u64; 2],
 }
 
 impl Geometry {
@@ -104,9 +102,6 @@ impl Surfaces {
                 is_placed[placed.instance] = true;
                 surfaces.draws.push(Draw { geometry, instance: placed.instance, placed: Some(*placed) });
             }
-            let [vertices, instances] = &mut surfaces.placed;
-            *vertices += shape.vertices.len() as u64;
-            *instances += shape.placed.len() as u64;
         }
         surfaces.add_others(gpu, scene, &is_placed);
         surfaces

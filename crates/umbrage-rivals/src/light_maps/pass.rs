@@ -82,10 +82,10 @@ impl Pass {
         })
     }
 
-    /// The bytes that say where surfaces lie in the atlas.
-    pub fn layout_bytes(&self) -> u64 {
-        let [vertices, instances] = self.surfaces.placed;
-        vertices * size_of::<[u16; 2]>() as u64 + instances * 20
+    /// The bytes that are held beside the atlas: where vertices and instances lie in it, and the last picture.
+    pub fn bytes(&self) -> u64 {
+        let places = self.surfaces.geometry.iter().map(|geometry| geometry.places.size()).sum::<u64>();
+        places + self.places.size() + self.targets.as_ref().map_or(0, Targets::bytes)
     }
 
     /// Draws a view, and reads the light of each number; `None` for lights that were not baked.

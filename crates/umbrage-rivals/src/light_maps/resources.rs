@@ -29,6 +29,12 @@ impl Targets {
             Ok::<_, RenderError>(Self { size, colour, depth })
         })
     }
+
+    /// The bytes that the textures hold.
+    pub fn bytes(&self) -> u64 {
+        let a_pixel = 4 + 4;
+        u64::from(self.size[0]) * u64::from(self.size[1]) * a_pixel
+    }
 }
 
 /// A buffer with something in it. It is not mapped, since one that there is no room for cannot be.
