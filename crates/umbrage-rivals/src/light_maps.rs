@@ -17,7 +17,6 @@ mod rays;
 mod resources;
 mod store;
 mod texels;
-mod timer;
 mod unwrap;
 
 use std::path::Path;

@@ -6,13 +6,14 @@
 use glam::{DMat3, DMat4, DVec4, Vec2};
 use umbrage_render::{ComingPicture, Gpu, RenderError};
 use umbrage_scene::{Aabb, Instance, Scene};
+use web_time::Instant;
 
 use super::geometry::{Draw, Geometry, Piece, Surfaces, moving};
 use super::resources::{Targets, atlas, group, pipeline};
-use super::timer::Timer;
 use super::unwrap::{Placed, Unwrapped};
 use crate::error::RivalError;
 use crate::rival::{Seen, View};
+use crate::stopwatch::Stopwatch;
 
 /// The lights of one picture: the fourth number says what is known.
 const LIGHTS_AT_ONCE: usize = 3;
@@ -35,7 +36,7 @@ pub(super) struct Pass {
     pages: u32,
     /// What the last picture was drawn into.
     targets: Option<Targets>,
-    timer: Timer,
+    stopwatch: Stopwatch,
 }
 
 impl Pass {
@@ -78,7 +79,7 @@ impl Pass {
             moving: moving(scene),
             pages: unwrapped.pages,
             targets: None,
-            timer: Timer::new(gpu),
+            stopwatch: Stopwatch::new(gpu),
         })
     }
 
@@ -156,8 +157,9 @@ impl Pass {
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
         let label = wgpu::CommandEncoderDescriptor { label: Some("Pass::encoder") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
-        let writes = self.timer.begin();
-        let mut pass = begin(&mut encoder, [&view(&targets.colour), &view(&targets.depth)], writes);
+        let start = Instant::now();
+        let views = [&view(&targets.colour), &view(&targets.depth)];
+        let mut pass = begin(&mut encoder, views, self.stopwatch.times_drawing());
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
         let still = self.surfaces.draws.iter().map(|draw| &self.surfaces.geometry[draw.geometry]);
@@ -174,7 +176,13 @@ impl Pass {
             }
         }
         drop(pass);
-        self.timer.submit(&self.gpu, encoder)
+        let times = self.stopwatch.resolve(&self.gpu, &mut encoder);
+        self.gpu.queue.submit([encoder.finish()]);
+        if let Some(times) = times {
+            return Stopwatch::read(&self.gpu, times);
+        }
+        self.gpu.wait()?;
+        Ok(start.elapsed().as_secs_f64() * 1e3)
     }
 }
 
