@@ -1,10 +1,12 @@
 //! Light maps, judged by rays: as fine as their bytes, and baked no more than once.
 
+mod common;
 mod court;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use common::small_gpu;
 use court::{SIZE, at, camera, court as scene_at, gpu, lamp, still, sun, tally};
 use glam::Vec3;
 use umbrage_render::Gpu;
@@ -217,6 +219,26 @@ fn options_out_of_range_and_too_little_room_are_errors() {
     }
     let error = bake(4096, 4).expect_err("no room");
     assert!(matches!(error, RivalError::Room { bytes: 4096, .. }), "{error}");
+}
+
+#[test]
+fn a_device_whose_buffers_are_too_small_is_an_error() {
+    let gpu = small_gpu(|descriptor| {
+        let limits = &mut descriptor.required_limits;
+        (limits.max_buffer_size, limits.max_storage_buffer_binding_size) = (1 << 14, 1 << 14);
+    });
+    // Its triangles need 27 648 bytes.
+    let mut scene = common::scene(vec![common::at(1, 0.0, 0.0, 0.0)]);
+    scene.lights = vec![sun()];
+    let refused = Family::LightMaps { bytes: 1 << 16, rays: 1 }.ready(&gpu, &scene).expect_err("no room");
+    assert!(refused.to_string().contains("the light maps cannot be made"), "{refused}");
+}
+
+#[test]
+fn a_device_without_timestamps_tells_the_time_too() {
+    let gpu = small_gpu(|descriptor| descriptor.required_features.remove(wgpu::Features::TIMESTAMP_QUERY));
+    let mut maps = baked(&gpu, &scene_at(Vec3::ZERO), &sun(), 64 << 10, None);
+    assert!(see(&mut maps, &camera(Vec3::ZERO), &sun()).milliseconds > 0.0);
 }
 
 #[test]

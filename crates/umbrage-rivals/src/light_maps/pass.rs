@@ -251,7 +251,7 @@ fn begin<'e>(
 
 /// The bytes of a picture.
 fn picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, RenderError> {
-    let coming = ComingPicture::of_texture(gpu, texture)?;
+    let coming = gpu.allocate("a copy of the picture", || ComingPicture::of_texture(gpu, texture))?;
     gpu.wait()?;
     let picture =
         coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())));
