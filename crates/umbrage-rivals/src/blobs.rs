@@ -12,9 +12,6 @@ use crate::flat::{Flattened, Thing, Way};
 
 /// Makes the blob shadows of a scene ready. `soft` is the share of an ellipse over which light comes back, 0 to 1.
 pub(crate) fn ready(gpu: &Gpu, scene: &Scene, soft: f32) -> Result<Flattened, RivalError> {
-    if !(0.0..=1.0).contains(&soft) {
-        return Err(RivalError::Soft(soft));
-    }
     let text = include_str!("../shaders/blob.wgsl");
     // A hard edge is a very small part of the ellipse, since a step of no width has no middle.
     let way = Way::new(gpu, text, &[("SOFT", f64::from(soft.max(1e-6)))], |_| 36, &[0, 1, 3, 4]);

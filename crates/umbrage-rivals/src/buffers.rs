@@ -16,26 +16,20 @@ impl Held {
         Self { gpu: gpu.clone(), bytes: 0 }
     }
 
-    /// Counts bytes that are held beside the device.
-    pub fn count(&mut self, bytes: u64) {
-        self.bytes += bytes;
-    }
-
-    /// The bytes of all that was made or counted.
+    /// The bytes of all that was made and is still held.
     pub fn bytes(&self) -> u64 {
         self.bytes
     }
 
-    /// Makes a buffer that shaders bind, of 32 bytes at least, since one of no size cannot be bound.
+    /// Makes a buffer that shaders bind, of 32 bytes at least, since one of no size cannot be bound. A longer one has the length
+    /// that was asked for, so that shaders which ask for the length of a list in it hear the number of what is listed.
     pub fn buffer(
         &mut self,
         what: &'static str,
         bytes: u64,
         usage: wgpu::BufferUsages,
     ) -> Result<wgpu::Buffer, RenderError> {
-        let limits = self.gpu.device.limits();
-        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        let size = bytes.max(32).next_multiple_of(16);
+        let (size, most) = (bound(bytes), self.most());
         if size > most {
             return Err(RenderError::TooLarge { what, bytes: size, most });
         }
@@ -51,6 +45,25 @@ impl Held {
         Ok(made)
     }
 
+    /// Makes a buffer that shaders bind in the place of one that was outgrown, if there was one: with room to grow, where the
+    /// device has it.
+    pub fn outgrown(
+        &mut self,
+        what: &'static str,
+        old: Option<wgpu::Buffer>,
+        bytes: u64,
+    ) -> Result<wgpu::Buffer, RenderError> {
+        self.bytes -= old.map_or(0, |old| old.size());
+        self.buffer(what, roomy(bytes, self.most()), wgpu::BufferUsages::STORAGE)
+    }
+
+    /// The bytes that a buffer may have.
+    fn most(&self) -> u64 {
+        let limits = self.gpu.device.limits();
+        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        most - most % wgpu::COPY_BUFFER_ALIGNMENT
+    }
+
     /// Makes a buffer that shaders read, with something in it.
     pub fn filled<T>(&mut self, what: &'static str, list: &Vec<T>) -> Result<wgpu::Buffer, RenderError>
     where
@@ -61,6 +74,16 @@ impl Held {
         self.gpu.queue.write_buffer(&buffer, 0, &bytes);
         Ok(buffer)
     }
+}
+
+/// The bytes of a buffer for so many bytes.
+fn bound(bytes: u64) -> u64 {
+    bytes.max(32).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT)
+}
+
+/// The bytes of a buffer that has room for more than so many, as far as it may have.
+fn roomy(bytes: u64, most: u64) -> u64 {
+    bytes.next_power_of_two().min(most).max(bytes)
 }
 
 /// A list as shaders read it.
@@ -94,4 +117,33 @@ pub(crate) fn bind(
     let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
     let entries: Vec<_> = resources.map(entry).collect();
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::UVec2;
+
+    #[test]
+    fn a_list_of_an_odd_number_of_jobs_has_no_job_more() {
+        for jobs in [5, 65_535, 65_537] {
+            let bytes = storage_bytes(&vec![UVec2::ONE; jobs]).len() as u64;
+            assert_eq!(bound(bytes), 8 * jobs as u64);
+        }
+        assert_eq!((bound(0), bound(33)), (32, 36), "what can be bound and written");
+    }
+
+    #[test]
+    fn an_outgrown_buffer_is_not_held_any_more() {
+        let mut held = Held::new(&Gpu::new(None).expect("an adapter"));
+        let small = held.outgrown("a list", None, 100).unwrap();
+        assert_eq!((small.size(), held.bytes()), (128, 128));
+        let large = held.outgrown("a list", Some(small), 200).unwrap();
+        assert_eq!((large.size(), held.bytes()), (256, 256));
+    }
+
+    #[test]
+    fn room_to_grow_ends_where_buffers_do() {
+        assert_eq!([roomy(100, 1000), roomy(100, 120), roomy(130, 120)], [128, 120, 130]);
+    }
 }

@@ -156,7 +156,7 @@ impl Canvas {
     }
 
     /// A copy of the visibility that was drawn, for [`Self::read`].
-    pub fn copy(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> wgpu::Buffer {
+    pub fn copy(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Result<wgpu::Buffer, RenderError> {
         self.visibility.copy(gpu, encoder)
     }
 

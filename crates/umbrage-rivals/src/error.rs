@@ -15,16 +15,13 @@ pub enum RivalError {
         "shadow volumes end at infinity, and a camera whose rays are parallel cannot count them there; use a perspective camera"
     )]
     ParallelRays,
-    /// A share of blobs that is none.
-    #[error("`soft` must be from 0 to 1, got {0}")]
-    Soft(f32),
     /// A setting is out of its range.
     #[error("`{name}` is {got}, need {wanted}")]
     Setting {
         /// The setting's name.
         name: &'static str,
         /// The value it has.
-        got: u64,
+        got: String,
         /// The values it may have.
         wanted: &'static str,
     },
@@ -32,12 +29,23 @@ pub enum RivalError {
     #[error("the scene cannot be unwrapped: {0}")]
     Unwrap(uvunwrap::Error),
     /// Light maps do not fit their bytes, however coarse they are.
-    #[error("light maps of {charts} charts do not fit {bytes} bytes; give them more, or fewer lights")]
+    #[error("light maps of {lights} lights do not fit {bytes} bytes; give them more, or fewer lights")]
     Room {
-        /// The charts that there are.
-        charts: u32,
+        /// The number of lights.
+        lights: u64,
         /// The bytes that there may be.
         bytes: u64,
+    },
+    /// Light maps need more layers of a texture than the adapter's textures have.
+    #[error(
+        "light maps need {layers} layers, one for each page of each light; this adapter's textures have {most}; bake \
+         fewer lights"
+    )]
+    Layers {
+        /// The number of layers that they need.
+        layers: u64,
+        /// The largest number.
+        most: u32,
     },
     /// A file or folder of what is baked cannot be written.
     #[error("cannot write {}", path.display())]
@@ -50,4 +58,16 @@ pub enum RivalError {
     /// Whoever asked for a bake ended it.
     #[error("the bake was cancelled")]
     Cancelled,
+}
+
+impl RivalError {
+    /// Refuses a setting, unless it is in its range.
+    pub(crate) fn unless(
+        is_in_range: bool,
+        name: &'static str,
+        got: impl ToString,
+        wanted: &'static str,
+    ) -> Result<(), Self> {
+        if is_in_range { Ok(()) } else { Err(Self::Setting { name, got: got.to_string(), wanted }) }
+    }
 }

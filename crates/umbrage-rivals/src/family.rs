@@ -63,6 +63,29 @@ fn usual_rays() -> u32 {
 }
 
 impl Family {
+    /// Says which setting is out of its range, if one is, before anything is made.
+    ///
+    /// # Errors
+    /// [`RivalError::Setting`] when `soft`, `degrees`, `bytes` or `rays` is none that the family can have.
+    pub fn validate(&self) -> Result<(), RivalError> {
+        match *self {
+            Self::Volumes {} | Self::Planar {} => Ok(()),
+            Self::Blobs { soft } => RivalError::unless(
+                (0.0..=1.0).contains(&soft),
+                "soft",
+                soft,
+                "0 to 1, a share of the ellipse",
+            ),
+            Self::Plateaus { degrees } => RivalError::unless(
+                (0.0..180.0).contains(&degrees),
+                "degrees",
+                degrees,
+                "0 to below 180 degrees",
+            ),
+            Self::LightMaps { bytes, rays } => LightMapOptions { bytes, rays }.validate(),
+        }
+    }
+
     /// Makes the family ready for a scene, and keeps nothing in files.
     ///
     /// # Errors
@@ -84,6 +107,7 @@ impl Family {
         folder: Option<&Path>,
         tell: &Tell<'_>,
     ) -> Result<Box<dyn Rival>, RivalError> {
+        self.validate()?;
         match self {
             Self::Blobs { soft } => Ok(Box::new(blobs::ready(gpu, scene, soft)?)),
             Self::Plateaus { degrees } => Ok(Box::new(plateaus::ready(gpu, scene, degrees)?)),
@@ -97,15 +121,34 @@ impl Family {
     }
 }
 
-#[cfg(all(test, feature = "serde"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_setting_out_of_its_range_is_named_with_what_it_is() {
+        let maps = |bytes, rays| Family::LightMaps { bytes, rays };
+        let wrong = [
+            (Family::Blobs { soft: f32::NAN }, "`soft` is NaN"),
+            (Family::Plateaus { degrees: 180.0 }, "`degrees` is 180"),
+            (maps(4095, 1), "`bytes` is 4095"),
+            (maps(4096, 65), "`rays` is 65"),
+        ];
+        for (family, says) in wrong {
+            let error = family.validate().unwrap_err().to_string();
+            assert!(error.starts_with(says), "{error}");
+        }
+        let right = [Family::Volumes {}, Family::Planar {}, Family::Blobs { soft: 1.0 }, maps(1 << 30, 64)];
+        assert!(right.iter().all(|family| family.validate().is_ok()));
+    }
+
+    #[cfg(feature = "serde")]
     #[derive(serde::Deserialize)]
     struct Rivals {
         rivals: Vec<Family>,
     }
 
+    #[cfg(feature = "serde")]
     #[test]
     fn a_family_is_named_by_its_kind_and_has_defaults() {
         let text = r#"

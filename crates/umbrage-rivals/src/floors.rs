@@ -160,8 +160,12 @@ impl Marks {
     }
 
     /// Copies of what was drawn, for [`Self::read`].
-    pub fn copy(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> [wgpu::Buffer; 2] {
-        [&self.numbers, &self.visibility].map(|picture| picture.copy(gpu, encoder))
+    pub fn copy(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<[wgpu::Buffer; 2], RenderError> {
+        Ok([self.numbers.copy(gpu, encoder)?, self.visibility.copy(gpu, encoder)?])
     }
 
     /// The visibility of every pixel that lies on a plane, or shows the sky, waited for.

@@ -17,7 +17,6 @@ mod rays;
 mod resources;
 mod store;
 mod texels;
-mod timer;
 mod unwrap;
 
 use std::path::Path;
@@ -30,6 +29,7 @@ use crate::error::RivalError;
 use crate::rival::{Left, Rival, Seen, View};
 use pass::Pass;
 use rays::Still;
+use unwrap::Unwrapped;
 
 /// What light maps are made with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,14 +47,15 @@ impl Default for LightMapOptions {
 }
 
 impl LightMapOptions {
-    fn validate(self) -> Result<(), RivalError> {
-        if !(4096..=1 << 30).contains(&self.bytes) {
-            return Err(RivalError::Setting { name: "bytes", got: self.bytes, wanted: "4096 to 1073741824" });
-        }
-        if !(1..=64).contains(&self.rays) {
-            return Err(RivalError::Setting { name: "rays", got: self.rays.into(), wanted: "1 to 64" });
-        }
-        Ok(())
+    /// Says which option is out of its range.
+    pub(crate) fn validate(self) -> Result<(), RivalError> {
+        RivalError::unless(
+            (4096..=1 << 30).contains(&self.bytes),
+            "bytes",
+            self.bytes,
+            "4096 to 1073741824",
+        )?;
+        RivalError::unless((1..=64).contains(&self.rays), "rays", self.rays, "1 to 64")
     }
 }
 
@@ -122,16 +123,7 @@ impl LightMaps {
     ) -> Result<Self, RivalError> {
         options.validate()?;
         let lights: Vec<Light> = lights.iter().map(|light| Light::at(light, pose)).collect();
-        let count = lights.len().max(1) as u64;
-        let side = (options.bytes / count).isqrt().min(gpu.device.limits().max_texture_dimension_2d.into());
-        let unwrapped = unwrap::unwrap(scene, side as u32, tell)?;
-        let [width, height] = unwrapped.size.map(u64::from);
-        let layers = count * u64::from(unwrapped.pages);
-        if width * height * layers > options.bytes
-            || layers > gpu.device.limits().max_texture_array_layers.into()
-        {
-            return Err(RivalError::Room { charts: unwrapped.charts, bytes: options.bytes });
-        }
+        let unwrapped = laid_out(gpu, scene, lights.len(), options.bytes, tell)?;
         let still = Still::new(scene, &unwrapped, options.rays);
         let bake::Baked { texels, rays } = bake::bake(&still, &unwrapped, &lights, folder, tell)?;
         Ok(Self {
@@ -191,9 +183,10 @@ impl Rival for LightMaps {
         &self.left
     }
 
-    /// The texels of all lights, and where surfaces lie among them: 4 bytes a vertex, and 20 an instance.
+    /// The texels of all lights, where surfaces lie among them, 4 bytes a vertex and 192 an instance, and 8 bytes for each pixel of
+    /// the last picture: what is known, and depth.
     fn bytes(&self) -> u64 {
-        self.texels.len() as u64 + self.pass.layout_bytes()
+        self.texels.len() as u64 + self.pass.bytes()
     }
 
     fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError> {
@@ -204,6 +197,37 @@ impl Rival for LightMaps {
         let lights: Vec<Option<usize>> = view.lights.iter().map(baked).collect();
         self.pass.see(view, &lights)
     }
+}
+
+/// Lays out a scene in pages that so many lights can have in so many bytes.
+fn laid_out(
+    gpu: &Gpu,
+    scene: &Scene,
+    lights: usize,
+    bytes: u64,
+    tell: &Tell<'_>,
+) -> Result<Unwrapped, RivalError> {
+    let limits = gpu.device.limits();
+    let lights = lights.max(1) as u64;
+    let side = (bytes / lights).isqrt().min(limits.max_texture_dimension_2d.into());
+    if side < unwrap::LEAST_SIDE.into() {
+        return Err(RivalError::Room { lights, bytes });
+    }
+    // There is a page at least: what cannot be is not waited for.
+    fitting(lights, limits.max_texture_array_layers)?;
+    let unwrapped = unwrap::unwrap(scene, side as u32, tell)?;
+    let [width, height] = unwrapped.size.map(u64::from);
+    let layers = lights * u64::from(unwrapped.pages);
+    if width * height * layers > bytes {
+        return Err(RivalError::Room { lights, bytes });
+    }
+    fitting(layers, limits.max_texture_array_layers)?;
+    Ok(unwrapped)
+}
+
+/// Refuses more layers than a texture may have.
+fn fitting(layers: u64, most: u32) -> Result<(), RivalError> {
+    if layers <= most.into() { Ok(()) } else { Err(RivalError::Layers { layers, most }) }
 }
 
 /// What is not baked, since it does not stand still.

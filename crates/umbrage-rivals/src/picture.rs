@@ -19,20 +19,22 @@ impl Picture {
     }
 
     /// A copy of what was drawn, for [`Self::read`].
-    pub fn copy(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> wgpu::Buffer {
+    pub fn copy(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Result<wgpu::Buffer, RenderError> {
         let size = self.texture.size();
         let row = size.width.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        let descriptor = wgpu::BufferDescriptor {
             label: Some("Picture::copy"),
             size: u64::from(row) * u64::from(size.height),
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
-        });
+        };
+        let make = || Ok::<_, RenderError>(gpu.device.create_buffer(&descriptor));
+        let buffer = gpu.allocate("a copy of the picture", make)?;
         let layout =
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
         let to = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
         encoder.copy_texture_to_buffer(self.texture.as_image_copy(), to, size);
-        buffer
+        Ok(buffer)
     }
 
     /// The bytes of a copy, rows from top to bottom, waited for.

@@ -15,9 +15,6 @@ use crate::planar;
 /// Makes the plateaus of a scene ready. `degrees` is the whole angle that a sun is seen under, from 0 to below 180; lamps have half
 /// of it, in radians, for a radius in metres.
 pub(crate) fn ready(gpu: &Gpu, scene: &Scene, degrees: f32) -> Result<Flattened, RivalError> {
-    if !(0.0..180.0).contains(&degrees) {
-        return Err(umbrage_render::RenderError::AreaDegrees(degrees).into());
-    }
     let text = include_str!("../shaders/plateau.wgsl");
     let outline = Way::new(gpu, text, &[], |shell| 6 * shell.edges.len(), &[0, 1, 3, 4, 6, 7, 8]);
     let half_angle = 0.5 * degrees.to_radians();

@@ -44,8 +44,12 @@ pub trait Rival: Debug {
     /// The casters that the family cannot draw; their shadows are missing in what it says.
     fn left(&self) -> &[Left];
 
-    /// The bytes that the family holds on the device and beside it for this scene, at most so far. What whoever draws the scene
-    /// holds of it anyway does not count.
+    /// The bytes that the family holds on the device for the shadows of this scene.
+    ///
+    /// For every family all buffers and textures count that are there for shadows alone, those of the size of the last picture
+    /// too: visibility, and the depth of what the picture shows. Not counted are what whoever draws the scene holds of it anyway,
+    /// which is vertices and triangles as they are drawn, what lives for one picture only, as copies to read, uniforms of some
+    /// hundred bytes, and what is in memory beside the device.
     fn bytes(&self) -> u64;
 
     /// Finds the visibility of a view's pixels.

@@ -38,12 +38,6 @@ impl Shell {
         Self { positions, triangles, edges, origin, bounds, closed }
     }
 
-    /// The bytes that it takes.
-    pub fn bytes(&self) -> u64 {
-        let Self { positions, triangles, edges, origin: _, bounds: _, closed: _ } = self;
-        12 * positions.len() as u64 + 12 * triangles.len() as u64 + 16 * edges.len() as u64
-    }
-
     /// The distance of a point, counted from the origin, from the box around the shell; 0 inside.
     pub fn distance(&self, point: DVec3) -> f64 {
         point.distance(point.clamp(self.bounds.min.as_dvec3(), self.bounds.max.as_dvec3()))

@@ -51,6 +51,15 @@ impl Stopwatch {
         })
     }
 
+    /// For a render pass that is all that is timed.
+    pub fn times_drawing(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        self.queries.as_ref().map(|query_set| wgpu::RenderPassTimestampWrites {
+            query_set,
+            beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: Some(1),
+        })
+    }
+
     /// A buffer that will hold the two timestamps of what was recorded before.
     pub fn resolve(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Option<wgpu::Buffer> {
         let queries = self.queries.as_ref()?;

@@ -88,7 +88,7 @@ impl Volumes {
         passes.draw(&mut painter.count(gpu, &mut encoder, canvas, seen, None));
         painter.shadow(gpu, &mut encoder, canvas, seen, stopwatch.stops());
         let times = stopwatch.resolve(gpu, &mut encoder);
-        let copy = canvas.copy(gpu, &mut encoder);
+        let copy = canvas.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
         let visibility = canvas.read(gpu, copy)?;
         let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;

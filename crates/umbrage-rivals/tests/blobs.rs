@@ -46,6 +46,7 @@ fn what_lies_flat_on_a_plane_is_no_blob_there() {
     let slab = Mat4::from_translation(Vec3::new(0.0, 0.1, 0.0)) * Mat4::from_scale(Vec3::new(6.0, 0.1, 6.0));
     let judged = judge(HARD, &scene(vec![ground(), Instance::still(0, slab)]), &above(), &[sun()], 0.0);
     assert!(judged.seen.visibility[0].iter().flatten().all(|seen| *seen == 1.0));
+    assert_eq!(judged.unknown(0), 0, "all that is seen lies on planes");
 }
 
 #[test]
@@ -57,12 +58,13 @@ fn a_room_that_holds_the_lamp_is_no_blob() {
     let lit = Light::point("p", Vec3::new(0.0, 3.0, 0.0), 60.0, 1.0);
     let judged = judge(HARD, &scene(vec![ground(), room]), &above(), &[lit], 0.0);
     assert!(judged.seen.visibility[0].iter().flatten().all(|seen| *seen == 1.0));
+    assert_eq!(judged.unknown(0), 0, "all that is seen lies on planes");
 }
 
 #[test]
 fn a_share_that_is_none_is_refused() {
     for soft in [-0.1, 1.1, f32::NAN] {
         let refused = Family::Blobs { soft }.ready(&gpu(), &scene(vec![]));
-        assert!(matches!(refused, Err(RivalError::Soft(_))), "{soft}");
+        assert!(matches!(refused, Err(RivalError::Setting { name: "soft", .. })), "{soft}");
     }
 }

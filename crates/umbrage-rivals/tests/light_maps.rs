@@ -1,10 +1,12 @@
 //! Light maps, judged by rays: as fine as their bytes, and baked no more than once.
 
+mod common;
 mod court;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use common::small_gpu;
 use court::{SIZE, at, camera, court as scene_at, gpu, lamp, still, sun, tally};
 use glam::Vec3;
 use umbrage_render::Gpu;
@@ -112,6 +114,7 @@ fn a_light_that_was_not_baked_is_not_known() {
     scene.lights = vec![sun(), lamp(place)];
     let family = Family::LightMaps { bytes: 1 << 20, rays: 1 };
     let mut maps = family.ready(&gpu, &scene).expect("ready");
+    let before = maps.bytes();
     let other = Light::sun(Vec3::NEG_Y, 1.0);
     let lights = [lamp(place), other, sun(), lamp(place), sun()];
     let view = View { camera: &camera, lights: &lights, pose: &still(), size: SIZE };
@@ -123,7 +126,8 @@ fn a_light_that_was_not_baked_is_not_known() {
         let error = tally(&scene, &[], &camera, light, seen).mis_shadowed();
         assert!(error < 0.005, "{}: {error}", light.name);
     }
-    assert!(seen.milliseconds > 0.0 && maps.bytes() > 500_000);
+    assert!(seen.milliseconds > 0.0 && before > 500_000);
+    assert_eq!(maps.bytes() - before, 8 * u64::from(SIZE[0] * SIZE[1]), "the picture counts");
 }
 
 #[test]
@@ -215,6 +219,56 @@ fn options_out_of_range_and_too_little_room_are_errors() {
     }
     let error = bake(4096, 4).expect_err("no room");
     assert!(matches!(error, RivalError::Room { bytes: 4096, .. }), "{error}");
+}
+
+#[test]
+fn a_device_whose_buffers_are_too_small_is_an_error() {
+    let gpu = small_gpu(|descriptor| {
+        let limits = &mut descriptor.required_limits;
+        (limits.max_buffer_size, limits.max_storage_buffer_binding_size) = (1 << 14, 1 << 14);
+    });
+    // Its triangles need 27 648 bytes.
+    let mut scene = common::scene(vec![common::at(1, 0.0, 0.0, 0.0)]);
+    scene.lights = vec![sun()];
+    let refused = Family::LightMaps { bytes: 1 << 16, rays: 1 }.ready(&gpu, &scene).expect_err("no room");
+    assert!(refused.to_string().contains("the light maps cannot be made"), "{refused}");
+}
+
+#[test]
+fn a_device_without_timestamps_tells_the_time_too() {
+    let gpu = small_gpu(|descriptor| descriptor.required_features.remove(wgpu::Features::TIMESTAMP_QUERY));
+    let mut maps = baked(&gpu, &scene_at(Vec3::ZERO), &sun(), 64 << 10, None);
+    assert!(see(&mut maps, &camera(Vec3::ZERO), &sun()).milliseconds > 0.0);
+}
+
+#[test]
+fn too_many_lights_for_bytes_or_layers_are_errors_that_say_which() {
+    let (gpu, scene) = (gpu(), scene_at(Vec3::ZERO));
+    let bake = |lights, bytes| {
+        let lights = vec![sun(); lights];
+        let told = |_| panic!("nothing is begun");
+        LightMaps::bake(&gpu, &scene, (&lights, &still()), options(bytes), None, &told).expect_err("too many")
+    };
+    let error = bake(200, 4096);
+    assert!(matches!(error, RivalError::Room { lights: 200, bytes: 4096 }), "{error}");
+    let limit = gpu.device.limits().max_texture_array_layers;
+    let error = bake(limit as usize + 1, 1 << 20);
+    assert!(matches!(error, RivalError::Layers { most, .. } if most == limit), "{error}");
+}
+
+#[test]
+fn a_vertex_that_is_nowhere_takes_its_triangles_and_nothing_else() {
+    let (gpu, camera) = (gpu(), camera(Vec3::ZERO));
+    let mut scene = scene_at(Vec3::ZERO);
+    let mut torn = scene.meshes[0].clone();
+    torn.positions[0].x = f32::NAN;
+    scene.meshes.push(torn);
+    scene.instances[2].mesh = 1;
+    let mut maps = baked(&gpu, &scene, &sun(), 256 << 10, None);
+    let seen = see(&mut maps, &camera, &sun());
+    assert_eq!(at(&camera, &seen, Vec3::new(0.0, 0.0, 5.0)), Some(1.0), "the ground");
+    let tally = tally(&scene, maps.left(), &camera, &sun(), &seen.visibility[0]);
+    assert!(tally.judged > 15_000 && tally.mis_shadowed() < 0.01, "{tally:?}");
 }
 
 #[test]

@@ -4,9 +4,10 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{SIZE, above, at, camera, court, gpu, ground, judge, judge_on, point, scene, spot, sun};
+use common::{
+    SIZE, above, at, camera, court, gpu, ground, judge, judge_on, point, scene, small_gpu, spot, sun,
+};
 use glam::{Mat4, Vec3};
-use umbrage_render::Gpu;
 use umbrage_rivals::{Family, RivalError, View};
 use umbrage_scene::{Camera, Instance, Lens, Light, Motion, Scene};
 
@@ -53,17 +54,6 @@ fn a_camera_with_parallel_rays_is_refused() {
     let mut rival = Family::Volumes {}.ready(&gpu(), &court()).unwrap();
     let view = View { camera: &camera, lights: &[sun()], pose: &Arc::default(), size: SIZE };
     assert!(matches!(rival.see(&view), Err(RivalError::ParallelRays)));
-}
-
-/// A device that is less than the adapter can be.
-fn small_gpu(change: impl FnOnce(&mut wgpu::DeviceDescriptor<'_>)) -> Gpu {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
-    let adapter = adapter.expect("an adapter");
-    let mut descriptor = Gpu::wanted_device(&adapter);
-    change(&mut descriptor);
-    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
-    Gpu::of_device(&adapter, device, queue)
 }
 
 #[test]

@@ -133,7 +133,6 @@ const FLATTEST: f64 = 1e-4;
 
 impl Draws {
     pub fn new(held: &mut Held, casters: Casters, thing: Thing) -> Result<Self, RivalError> {
-        held.count(casters.shells.iter().map(Shell::bytes).sum());
         let (mut positions, mut triangles, mut edges) = (Vec::new(), Vec::new(), Vec::new());
         let mut firsts = Vec::new();
         for shell in &casters.shells {
@@ -182,8 +181,7 @@ impl Draws {
         }
         let bytes = storage_bytes(&flats);
         if self.flats.as_ref().is_none_or(|buffer| buffer.size() < bytes.len() as u64) {
-            let size = (bytes.len() as u64).next_power_of_two();
-            self.flats = Some(held.buffer("flat casters", size, wgpu::BufferUsages::STORAGE)?);
+            self.flats = Some(held.outgrown("flat casters", self.flats.take(), bytes.len() as u64)?);
         }
         if let Some(buffer) = self.flats.as_ref().filter(|_| !flats.is_empty()) {
             gpu.queue.write_buffer(buffer, 0, &bytes);

@@ -30,7 +30,7 @@ pub(crate) struct Flattened {
     draws: Draws,
     ways: Vec<Way>,
     stopwatch: Stopwatch,
-    /// The tangent of half the angle that a sun is seen under, or a lamp's radius in metres; 0 where it counts for nothing.
+    /// Half the angle that a sun is seen under, in radians, and a lamp's radius, in metres; 0 where it counts for nothing.
     size: f32,
 }
 
@@ -73,7 +73,8 @@ impl Flattened {
             None => marks.insert(marker.marks(gpu, view.size)?),
         };
         let floors = Floor::of(planes, eye, light);
-        Shot::new(eye, light).with_size(*size).write(gpu, &marker.shot);
+        let size = if light.is_sun() { size.tan() } else { *size };
+        Shot::new(eye, light).with_size(size).write(gpu, &marker.shot);
         marker.upload(gpu, &floors);
         draws.list(gpu, held, (eye, light, view.pose), &floors)?;
         let descriptor = wgpu::CommandEncoderDescriptor { label: Some("Flattened::light") };
@@ -86,7 +87,7 @@ impl Flattened {
             }
         }
         let times = stopwatch.resolve(gpu, &mut encoder);
-        let copies = marks.copy(gpu, &mut encoder);
+        let copies = marks.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
         let visibility = marks.read(gpu, copies)?;
         let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use glam::DVec3;
 use umbrage_judge::Triangles;
-use umbrage_render::Gpu;
+use umbrage_render::{Gpu, RenderError};
 use umbrage_scene::{Aabb, Mesh, Part, Pose, Scene};
-use wgpu::util::DeviceExt as _;
 
+use super::resources::filled;
 use super::unwrap::{Placed, Unwrapped, receives};
 
 /// Vertices and triangles on the device.
@@ -45,8 +45,6 @@ pub(super) struct Draw {
 pub(super) struct Surfaces {
     pub geometry: Vec<Geometry>,
     pub draws: Vec<Draw>,
-    /// The number of vertices that have a place in the atlas, and of instances that have a rectangle there.
-    pub placed: [u64; 2],
 }
 
 impl Geometry {
@@ -57,33 +55,26 @@ impl Geometry {
         indices: &[u32],
         pieces: Vec<Piece>,
     ) -> Self {
-        let buffer = |label, contents: &[u8], usage| {
-            // A buffer of no bytes cannot be bound.
-            let contents = if contents.is_empty() { &[0; 16] } else { contents };
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
-            })
-        };
-        let vertices = wgpu::BufferUsages::VERTEX;
+        let (vertices, triangles) = (wgpu::BufferUsages::VERTEX, wgpu::BufferUsages::INDEX);
         Self {
-            positions: buffer("Geometry::positions", bytemuck::cast_slice(positions), vertices),
-            places: buffer("Geometry::places", bytemuck::cast_slice(places), vertices),
-            indices: buffer("Geometry::indices", bytemuck::cast_slice(indices), wgpu::BufferUsages::INDEX),
+            positions: filled(gpu, "Geometry::positions", bytemuck::cast_slice(positions), vertices),
+            places: filled(gpu, "Geometry::places", bytemuck::cast_slice(places), vertices),
+            indices: filled(gpu, "Geometry::indices", bytemuck::cast_slice(indices), triangles),
             pieces,
         }
     }
 
     /// What moves, as it stands in a pose, relative to an origin in the world.
-    pub fn moving(gpu: &Gpu, moving: &Scene, pose: &Pose, origin: DVec3) -> Self {
+    pub fn moving(gpu: &Gpu, moving: &Scene, pose: &Pose, origin: DVec3) -> Result<Self, RenderError> {
         let triangles = Triangles::of(moving, pose);
         let corners = triangles.corners().iter().flatten();
         let positions: Vec<[f32; 3]> =
             corners.map(|corner| (*corner - origin).as_vec3().to_array()).collect();
         let indices: Vec<u32> = (0..positions.len() as u32).collect();
         let all = Piece { indices: 0..positions.len() as u32, bounds: None, has_texels: false };
-        Self::new(gpu, &positions, &vec![[0; 2]; positions.len()], &indices, vec![all])
+        let places = vec![[0; 2]; positions.len()];
+        let make = || Ok::<_, RenderError>(Self::new(gpu, &positions, &places, &indices, vec![all]));
+        gpu.allocate("what moves", make)
     }
 }
 
@@ -111,9 +102,6 @@ impl Surfaces {
                 is_placed[placed.instance] = true;
                 surfaces.draws.push(Draw { geometry, instance: placed.instance, placed: Some(*placed) });
             }
-            let [vertices, instances] = &mut surfaces.placed;
-            *vertices += shape.vertices.len() as u64;
-            *instances += shape.placed.len() as u64;
         }
         surfaces.add_others(gpu, scene, &is_placed);
         surfaces

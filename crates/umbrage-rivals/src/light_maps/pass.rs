@@ -6,13 +6,14 @@
 use glam::{DMat3, DMat4, DVec4, Vec2};
 use umbrage_render::{ComingPicture, Gpu, RenderError};
 use umbrage_scene::{Aabb, Instance, Scene};
+use web_time::Instant;
 
 use super::geometry::{Draw, Geometry, Piece, Surfaces, moving};
-use super::resources::{COLOUR_FORMAT, DEPTH_FORMAT, atlas, group, pipeline, texture};
-use super::timer::Timer;
+use super::resources::{Targets, atlas, group, pipeline};
 use super::unwrap::{Placed, Unwrapped};
 use crate::error::RivalError;
 use crate::rival::{Seen, View};
+use crate::stopwatch::Stopwatch;
 
 /// The lights of one picture: the fourth number says what is known.
 const LIGHTS_AT_ONCE: usize = 3;
@@ -33,12 +34,21 @@ pub(super) struct Pass {
     instances: Vec<Instance>,
     moving: Scene,
     pages: u32,
-    timer: Timer,
+    /// What the last picture was drawn into.
+    targets: Option<Targets>,
+    stopwatch: Stopwatch,
 }
 
 impl Pass {
     /// Uploads a scene and its light maps.
+    ///
+    /// # Errors
+    /// When the device has no room for them.
     pub fn new(gpu: &Gpu, scene: &Scene, unwrapped: &Unwrapped, texels: &[u8]) -> Result<Self, RenderError> {
+        gpu.allocate("the light maps", || Self::uploaded(gpu, scene, unwrapped, texels))
+    }
+
+    fn uploaded(gpu: &Gpu, scene: &Scene, unwrapped: &Unwrapped, texels: &[u8]) -> Result<Self, RenderError> {
         let surfaces = Surfaces::new(gpu, scene, unwrapped);
         let buffer = |label, size: usize, usage| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -68,14 +78,15 @@ impl Pass {
             instances: scene.instances.clone(),
             moving: moving(scene),
             pages: unwrapped.pages,
-            timer: Timer::new(gpu),
+            targets: None,
+            stopwatch: Stopwatch::new(gpu),
         })
     }
 
-    /// The bytes that say where surfaces lie in the atlas.
-    pub fn layout_bytes(&self) -> u64 {
-        let [vertices, instances] = self.surfaces.placed;
-        vertices * size_of::<[u16; 2]>() as u64 + instances * 20
+    /// The bytes that are held beside the atlas: where vertices and instances lie in it, and the last picture.
+    pub fn bytes(&self) -> u64 {
+        let places = self.surfaces.geometry.iter().map(|geometry| geometry.places.size()).sum::<u64>();
+        places + self.places.size() + self.targets.as_ref().map_or(0, Targets::bytes)
     }
 
     /// Draws a view, and reads the light of each number; `None` for lights that were not baked.
@@ -86,15 +97,14 @@ impl Pass {
             return Err(RenderError::PictureSize { width, height, most }.into());
         }
         let sights = self.place(view)?;
-        let targets =
-            [(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC), (DEPTH_FORMAT, wgpu::TextureUsages::empty())];
-        let [colour, depth] = targets.map(|(format, usage)| {
-            texture(&self.gpu, [width, height, 1], format, usage | wgpu::TextureUsages::RENDER_ATTACHMENT)
-        });
+        let targets = match self.targets.take().filter(|targets| targets.size == view.size) {
+            Some(same) => same,
+            None => Targets::new(&self.gpu, view.size)?,
+        };
         let mut seen = Seen { visibility: Vec::with_capacity(lights.len()), milliseconds: 0.0 };
         for lights in lights.chunks(LIGHTS_AT_ONCE) {
-            seen.milliseconds += self.draw([&colour, &depth], &sights, lights)?;
-            let picture = picture(&self.gpu, &colour)?;
+            seen.milliseconds += self.draw(&targets, &sights, lights)?;
+            let picture = picture(&self.gpu, &targets.colour)?;
             let of = |channel: usize| {
                 let known = |pixel: &[u8; 4]| (pixel[3] == 255).then(|| f32::from(pixel[channel]) / 255.0);
                 picture.as_chunks().0.iter().map(known).collect()
@@ -103,6 +113,7 @@ impl Pass {
             let all = lights.iter().enumerate();
             seen.visibility.extend(all.map(|(i, light)| if light.is_some() { of(i) } else { unknown() }));
         }
+        self.targets = Some(targets);
         Ok(seen)
     }
 
@@ -126,14 +137,14 @@ impl Pass {
             .collect();
         self.gpu.queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&places));
         let moves = !self.moving.instances.is_empty();
-        let moving = moves.then(|| Geometry::moving(&self.gpu, &self.moving, view.pose, eye));
+        let moving = moves.then(|| Geometry::moving(&self.gpu, &self.moving, view.pose, eye)).transpose()?;
         Ok(Sights { clip_from_mesh, moving })
     }
 
     /// Draws some lights at once, and waits for it: the milliseconds that it took.
     fn draw(
         &mut self,
-        [colour, depth]: [&wgpu::Texture; 2],
+        targets: &Targets,
         sights: &Sights,
         lights: &[Option<usize>],
     ) -> Result<f64, RenderError> {
@@ -146,8 +157,9 @@ impl Pass {
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
         let label = wgpu::CommandEncoderDescriptor { label: Some("Pass::encoder") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
-        let writes = self.timer.begin();
-        let mut pass = begin(&mut encoder, [&view(colour), &view(depth)], writes);
+        let start = Instant::now();
+        let views = [&view(&targets.colour), &view(&targets.depth)];
+        let mut pass = begin(&mut encoder, views, self.stopwatch.times_drawing());
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
         let still = self.surfaces.draws.iter().map(|draw| &self.surfaces.geometry[draw.geometry]);
@@ -164,7 +176,13 @@ impl Pass {
             }
         }
         drop(pass);
-        self.timer.submit(&self.gpu, encoder)
+        let times = self.stopwatch.resolve(&self.gpu, &mut encoder);
+        self.gpu.queue.submit([encoder.finish()]);
+        if let Some(times) = times {
+            return Stopwatch::read(&self.gpu, times);
+        }
+        self.gpu.wait()?;
+        Ok(start.elapsed().as_secs_f64() * 1e3)
     }
 }
 
@@ -233,7 +251,7 @@ fn begin<'e>(
 
 /// The bytes of a picture.
 fn picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>, RenderError> {
-    let coming = ComingPicture::of_texture(gpu, texture)?;
+    let coming = gpu.allocate("a copy of the picture", || ComingPicture::of_texture(gpu, texture))?;
     gpu.wait()?;
     let picture =
         coming.take().unwrap_or_else(|| Err(RenderError::Device("the picture did not come".to_owned())));

@@ -1,6 +1,6 @@
 //! What the pass holds on the device: the atlas, the pictures that it draws, and the pipeline that reads one into the other.
 
-use umbrage_render::Gpu;
+use umbrage_render::{Gpu, RenderError};
 
 use super::unwrap::Unwrapped;
 
@@ -9,8 +9,49 @@ pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth3
 /// The visibility of three lights, and whether it is known.
 pub(super) const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
+/// What a picture of some size is drawn into.
+#[derive(Debug)]
+pub(super) struct Targets {
+    pub size: [u32; 2],
+    pub colour: wgpu::Texture,
+    pub depth: wgpu::Texture,
+}
+
+impl Targets {
+    pub fn new(gpu: &Gpu, size: [u32; 2]) -> Result<Self, RenderError> {
+        let [width, height] = size;
+        let target = |format, usage| {
+            texture(gpu, [width, height, 1], format, usage | wgpu::TextureUsages::RENDER_ATTACHMENT)
+        };
+        gpu.allocate("the picture", || {
+            let colour = target(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC);
+            let depth = target(DEPTH_FORMAT, wgpu::TextureUsages::empty());
+            Ok::<_, RenderError>(Self { size, colour, depth })
+        })
+    }
+
+    /// The bytes that the textures hold.
+    pub fn bytes(&self) -> u64 {
+        let a_pixel = 4 + 4;
+        u64::from(self.size[0]) * u64::from(self.size[1]) * a_pixel
+    }
+}
+
+/// A buffer with something in it. It is not mapped, since one that there is no room for cannot be.
+pub(super) fn filled(gpu: &Gpu, label: &str, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        // A buffer of no bytes cannot be bound.
+        size: contents.len().max(16) as u64,
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.queue.write_buffer(&buffer, 0, contents);
+    buffer
+}
+
 /// A texture of a width, a height and a number of layers.
-pub(super) fn texture(
+fn texture(
     gpu: &Gpu,
     [width, height, depth_or_array_layers]: [u32; 3],
     format: wgpu::TextureFormat,

@@ -17,6 +17,9 @@ use crate::error::RivalError;
 /// The empty texels around each chart: bilinear reading reaches one, and one is left.
 pub(super) const GUTTER_TEXELS: u32 = 2;
 
+/// The shortest side of a page: there is a texel within its gutters.
+pub(super) const LEAST_SIDE: u32 = 2 * GUTTER_TEXELS + 1;
+
 /// Where the surfaces of a scene lie in the pages of an atlas.
 #[derive(Debug)]
 pub(super) struct Unwrapped {
@@ -94,9 +97,14 @@ pub(super) fn receives(scene: &Scene, part: &Part) -> bool {
     scene.materials.get(part.material).is_none_or(|material| material.is_solid() && !material.unlit)
 }
 
-/// The same of each triangle of a mesh.
+/// The same of each triangle of a mesh. What has a corner nowhere has no texels.
 pub(super) fn has_texels<'a>(scene: &'a Scene, mesh: &'a Mesh) -> impl Iterator<Item = bool> + 'a {
-    mesh.parts.iter().flat_map(|part| std::iter::repeat_n(receives(scene, part), part.indices.len() / 3))
+    let is_somewhere = |corner: &u32| mesh.positions[*corner as usize].is_finite();
+    mesh.parts.iter().flat_map(move |part| {
+        let receives = receives(scene, part);
+        let indices = &mesh.indices[part.indices.start as usize..part.indices.end as usize];
+        indices.as_chunks::<3>().0.iter().map(move |triangle| receives && triangle.iter().all(is_somewhere))
+    })
 }
 
 /// What is unwrapped once: a mesh as it is scaled in the world.
@@ -158,11 +166,19 @@ fn sources(scene: &Scene) -> Vec<Source> {
             mesh,
             scales: instances.iter().map(|(_, other)| other / scale).collect(),
             instances: instances.iter().map(|(i, _)| *i).collect(),
-            positions: shape.positions.iter().map(|position| (linear * *position).to_array()).collect(),
+            positions: positions(shape, linear),
             ignored,
         })
     });
     sources.collect()
+}
+
+/// A mesh's vertices as they are scaled in the world. Those that are nowhere lie with another: no triangle that has texels has them,
+/// and what unwraps wants numbers.
+fn positions(mesh: &Mesh, linear: Mat3) -> Vec<[f32; 3]> {
+    let scaled = || mesh.positions.iter().map(|position| linear * *position);
+    let other = scaled().find(|position| position.is_finite()).unwrap_or_default();
+    scaled().map(|position| if position.is_finite() { position } else { other }.to_array()).collect()
 }
 
 /// How an instance is scaled; `None` where it has no inside or no end.

@@ -55,7 +55,6 @@ impl Passes {
         shot: &wgpu::Buffer,
     ) -> Result<Self, RivalError> {
         // Of an edge that counts one triangle faces away and one does not: pieces are two for each triangle at most.
-        held.count(casters.shells.iter().map(Shell::bytes).sum());
         let lists = Lists::of(casters);
         let pieces = 16 * lists.instances.iter().map(|(.., placed)| u64::from(placed.triangles)).sum::<u64>();
         let storage = wgpu::BufferUsages::STORAGE;

@@ -18,6 +18,17 @@ pub fn gpu() -> Gpu {
     Gpu::new(None).expect("an adapter")
 }
 
+/// A device that is less than the adapter can be.
+pub fn small_gpu(change: impl FnOnce(&mut wgpu::DeviceDescriptor<'_>)) -> Gpu {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
+    let adapter = adapter.expect("an adapter");
+    let mut descriptor = Gpu::wanted_device(&adapter);
+    change(&mut descriptor);
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
+    Gpu::of_device(&adapter, device, queue)
+}
+
 fn primitive(positions: Vec<Vec3>, indices: Vec<u32>) -> Primitive {
     let vertices = positions.len();
     Primitive {
