@@ -229,8 +229,8 @@ fn demo_draws_one_picture_and_prints_its_table() {
     let printed = stdout(&["demo", "-o", text(&picture)]);
     for wanted in [
         "mining-terrain",
-        "zhang-ssm-1024",
-        "(default)",
+        "One shadow map of 2896²",
+        "4 splits of 1448²",
         "a texel is",
         "wrongly",
         "edges off by",

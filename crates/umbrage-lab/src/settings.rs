@@ -227,6 +227,13 @@ mod tests {
     }
 
     #[test]
+    fn a_kind_alone_has_its_own_numbers() {
+        let settings = asked("default", &["filter.kind=pcf", "shade.kind=colour"]).unwrap();
+        assert_eq!(Some(settings.filter), Filter::of_kind("pcf"));
+        assert_eq!(Some(settings.shade), Shade::of_kind("colour"));
+    }
+
+    #[test]
     fn wrong_words_are_named_on_one_line() {
         for (set, key, wanted) in [
             ("splitz=3", "splitz", "unknown field"),
@@ -234,7 +241,6 @@ mod tests {
             ("splits=three", "splits", "invalid type"),
             ("lambda=nan", "lambda", "from 0 to 1"),
             ("filter.kind=blur", "filter.kind", "blur"),
-            ("filter.kind=pcf", "filter.size", "missing field"),
             ("filter.taps=3", "filter.taps", "unknown field"),
             ("bias.layer=first", "bias.layer", "`bias.layer` is now `bias.depth_layer`"),
             ("bias.normale=3", "bias.normale", "unknown field"),

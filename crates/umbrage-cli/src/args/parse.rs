@@ -34,7 +34,8 @@ pub fn family(text: &str) -> Result<Family, String> {
     let table =
         if text.trim_start().starts_with('{') { text.to_owned() } else { format!("{{ kind = {text:?} }}") };
     let given: Result<Given, _> = toml::from_str(&format!("family = {table}"));
-    given.map(|given| given.family).map_err(|wrong| wrong.message().to_owned())
+    let family = given.map(|given| given.family).map_err(|wrong| wrong.message().to_owned())?;
+    family.validate().map(|()| family).map_err(|wrong| wrong.to_string())
 }
 
 /// Degrees from 0 to below 180.

@@ -208,7 +208,10 @@ fn check_family(source: &Source<'_>, i: usize, variant: &Variant, motions: &[Mot
     match variant.family {
         Some(_) if variant.area.is_some() => refusal("area"),
         Some(_) if !motions.is_empty() => refusal("motions"),
-        Some(_) | None => Ok(()),
+        Some(family) => family
+            .validate()
+            .map_err(|wrong| source.refusal(&[Key("variants"), Item(i), Key("family")], wrong)),
+        None => Ok(()),
     }
 }
 

@@ -134,7 +134,7 @@ mod tests {
             ("[shadows]\nsplits = 3\nvirtual_pages = 16\n", 3, "virtual_pages"),
             ("\n[shadows]\nsplits = 12\n", 3, "splits"),
             ("[shadows]\n[shadows.bias]\nnormal = 1.0\nnormale = 2.0\n", 4, "bias.normale"),
-            ("[shadows]\nsplits = 2\n[shadows.filter]\nkind = \"pcf\"\n", 3, "filter.size"),
+            ("[shadows]\nsplits = 2\n[shadows.filter]\nkind = \"pcf\"\nsise = 5\n", 5, "filter.sise"),
             ("[shadows]\nscheme = \"manual\"\n", 1, "manual"),
             ("[shadows]\nfilter = { kind = \"pcss\", seed = \"world\" }\n", 2, "filter.seed"),
             ("[shadows.filter]\nkind = \"vsm\"\nprefilter.shrink = 2\n", 3, "filter.prefilter.shrink"),
