@@ -17,6 +17,7 @@
 
 mod blobs;
 mod buffers;
+mod by_light;
 mod canvas;
 mod casters;
 mod error;

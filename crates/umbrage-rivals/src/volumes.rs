@@ -20,9 +20,9 @@ mod placed;
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
-use web_time::Instant;
 
 use crate::buffers::Held;
+use crate::by_light::{self, ByLight, OfLight};
 use crate::canvas::{Canvas, Painter};
 use crate::casters::Casters;
 use crate::error::RivalError;
@@ -66,15 +66,20 @@ impl Volumes {
             stopwatch: Stopwatch::new(gpu),
         })
     }
+}
 
-    /// The visibility of a light, and the milliseconds that it took on the device, if it tells.
+impl ByLight for Volumes {
+    fn parts(&mut self) -> (&Gpu, &mut Receivers) {
+        (&self.gpu, &mut self.receivers)
+    }
+
     fn light(
         &mut self,
         eye: &Eye,
         light: &Shining,
         view: &View<'_>,
         seen: &wgpu::TextureView,
-    ) -> Result<(Vec<f32>, Option<f64>), RivalError> {
+    ) -> Result<OfLight, RivalError> {
         let Self { gpu, painter, canvas, passes, stopwatch, .. } = self;
         let canvas = match canvas.take().filter(|canvas| canvas.size == view.size) {
             Some(same) => canvas.insert(same),
@@ -90,7 +95,7 @@ impl Volumes {
         let times = stopwatch.resolve(gpu, &mut encoder);
         let copy = canvas.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
-        let visibility = canvas.read(gpu, copy)?;
+        let visibility = canvas.read(gpu, copy)?.into_iter().map(Some).collect();
         let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
         Ok((visibility, milliseconds))
     }
@@ -110,19 +115,6 @@ impl Rival for Volumes {
         if eye.is_parallel {
             return Err(RivalError::ParallelRays);
         }
-        let start = Instant::now();
-        let seen = self.receivers.depth(view)?;
-        let (mut visibility, mut on_device) = (Vec::new(), Some(0.0));
-        for light in view.lights {
-            let light = Shining::at(light, view.pose)?;
-            let (of_light, milliseconds) = self.light(&eye, &light, view, &seen)?;
-            on_device = on_device.zip(milliseconds).map(|(sum, more)| sum + more);
-            visibility.push(of_light.into_iter().map(Some).collect());
-        }
-        self.gpu.wait()?;
-        let wall = start.elapsed().as_secs_f64() * 1e3;
-        let depth = self.receivers.milliseconds();
-        let milliseconds = on_device.zip(depth).map_or(wall, |(lights, depth)| lights + depth);
-        Ok(Seen { visibility, milliseconds })
+        by_light::see(self, &eye, view)
     }
 }

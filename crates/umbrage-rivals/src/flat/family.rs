@@ -2,10 +2,10 @@
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
-use web_time::Instant;
 
 use super::draws::{Draws, Thing, Way};
 use crate::buffers::Held;
+use crate::by_light::{self, ByLight, OfLight};
 use crate::casters::Casters;
 use crate::error::RivalError;
 use crate::eye::Eye;
@@ -58,15 +58,20 @@ impl Flattened {
             size,
         })
     }
+}
 
-    /// The visibility of a light where it is known, and the milliseconds that it took on the device, if it tells.
+impl ByLight for Flattened {
+    fn parts(&mut self) -> (&Gpu, &mut Receivers) {
+        (&self.gpu, &mut self.receivers)
+    }
+
     fn light(
         &mut self,
         eye: &Eye,
         light: &Shining,
         view: &View<'_>,
         seen: &wgpu::TextureView,
-    ) -> Result<(Vec<Option<f32>>, Option<f64>), RivalError> {
+    ) -> Result<OfLight, RivalError> {
         let Self { gpu, planes, held, marker, marks, draws, ways, stopwatch, size, .. } = self;
         let marks = match marks.take().filter(|marks| marks.size == view.size) {
             Some(same) => marks.insert(same),
@@ -106,19 +111,6 @@ impl Rival for Flattened {
 
     fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError> {
         let eye = Eye::new(view.camera, view.size)?;
-        let start = Instant::now();
-        let seen = self.receivers.depth(view)?;
-        let (mut visibility, mut on_device) = (Vec::new(), Some(0.0));
-        for light in view.lights {
-            let light = Shining::at(light, view.pose)?;
-            let (of_light, milliseconds) = self.light(&eye, &light, view, &seen)?;
-            on_device = on_device.zip(milliseconds).map(|(sum, more)| sum + more);
-            visibility.push(of_light);
-        }
-        self.gpu.wait()?;
-        let wall = start.elapsed().as_secs_f64() * 1e3;
-        let depth = self.receivers.milliseconds();
-        let milliseconds = on_device.zip(depth).map_or(wall, |(lights, depth)| lights + depth);
-        Ok(Seen { visibility, milliseconds })
+        by_light::see(self, &eye, view)
     }
 }
