@@ -22,7 +22,7 @@ pub struct MapsKey {
     pub spot_splits: u32,
     /// Texels a side of a tile, for lights that say none of their own.
     pub resolution: u32,
-    /// How many texels a side each split's tile has of those of the split before.
+    /// The share of the side of the split before that each split's tile has, from 0.25 to 2 times.
     pub resolution_falloff: f32,
     /// The format of a texel.
     pub depth: DepthFormat,

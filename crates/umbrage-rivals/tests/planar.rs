@@ -7,21 +7,8 @@ use glam::{Mat4, Vec3};
 use umbrage_rivals::Family;
 use umbrage_scene::{Camera, Instance, Lens, Light, Motion, Scene};
 
-/// The most pixels that may be wrong, of those that are judged.
-const MOST: f64 = 2e-4;
-
 fn agrees(name: &str, scene: &Scene, camera: &Camera, lights: &[Light], seconds: f32) {
-    let judged = judge(Family::Planar {}, scene, camera, lights, seconds);
-    for (number, light) in lights.iter().enumerate() {
-        if let Ok(folder) = std::env::var("PICTURES") {
-            judged.save(number, &format!("{folder}/planar-{}-{}.png", name.replace(' ', "-"), light.name));
-        }
-        let (wrong, pixels, shadowed) = judged.wrong(number);
-        println!("{name}, {}: {wrong:.6} of {pixels} wrong, {shadowed:.3} in shadow", light.name);
-        assert!(pixels > 1000, "{name}: only {pixels} judged");
-        assert!(shadowed > 0.005, "{name}: {shadowed} in shadow");
-        assert!(wrong <= MOST, "{name}, {}: {wrong} of {pixels} are wrong", light.name);
-    }
+    judge(Family::Planar {}, scene, camera, lights, seconds).agrees(&format!("planar, {name}"), lights);
 }
 
 #[test]

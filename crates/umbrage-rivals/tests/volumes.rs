@@ -5,27 +5,14 @@ mod common;
 use std::sync::Arc;
 
 use common::{
-    SIZE, above, at, camera, court, gpu, ground, judge, judge_on, point, scene, small_gpu, spot, sun,
+    MOST, SIZE, above, at, camera, court, gpu, ground, judge, judge_on, point, scene, small_gpu, spot, sun,
 };
 use glam::{Mat4, Vec3};
 use umbrage_rivals::{Family, RivalError, View};
 use umbrage_scene::{Camera, Instance, Lens, Light, Motion, Scene};
 
-/// The most pixels that may be wrong, of those that are judged.
-const MOST: f64 = 2e-4;
-
 fn agrees(name: &str, scene: &Scene, camera: &Camera, lights: &[Light], seconds: f32) {
-    let judged = judge(Family::Volumes {}, scene, camera, lights, seconds);
-    for (number, light) in lights.iter().enumerate() {
-        if let Ok(folder) = std::env::var("PICTURES") {
-            judged.save(number, &format!("{folder}/{}-{}.png", name.replace(' ', "-"), light.name));
-        }
-        let (wrong, pixels, shadowed) = judged.wrong(number);
-        println!("{name}, {}: {wrong:.6} of {pixels} wrong, {shadowed:.3} in shadow", light.name);
-        assert!(pixels > 1000, "{name}: only {pixels} judged");
-        assert!(shadowed > 0.005, "{name}: {shadowed} in shadow");
-        assert!(wrong <= MOST, "{name}, {}: {wrong} of {pixels} are wrong", light.name);
-    }
+    judge(Family::Volumes {}, scene, camera, lights, seconds).agrees(&format!("volumes, {name}"), lights);
 }
 
 #[test]

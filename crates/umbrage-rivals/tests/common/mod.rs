@@ -190,6 +190,9 @@ pub fn judge_on(
     Judged { seen, left: rival.left().to_vec(), truths, pixels }
 }
 
+/// The most pixels that may be wrong, of those that are judged.
+pub const MOST: f64 = 2e-4;
+
 impl Judged {
     /// The share of the judged pixels of a light of which something is said that are wrong, the number of those that are
     /// judged, and the share of these that are in shadow.
@@ -203,6 +206,21 @@ impl Judged {
         }
         let share = |count: usize| count as f64 / f64::from(judged.max(1) as u32);
         (share(wrong), judged, share(shadowed))
+    }
+
+    /// Fails where more than [`MOST`] of a light's judged pixels are wrong, or too few are judged or in shadow to tell. With
+    /// `PICTURES` set to a folder it leaves pictures there.
+    pub fn agrees(&self, name: &str, lights: &[Light]) {
+        for (number, light) in lights.iter().enumerate() {
+            if let Ok(folder) = std::env::var("PICTURES") {
+                self.save(number, &format!("{folder}/{}-{}.png", name.replace([' ', ','], "-"), light.name));
+            }
+            let (wrong, pixels, shadowed) = self.wrong(number);
+            println!("{name}, {}: {wrong:.6} of {pixels} wrong, {shadowed:.3} in shadow", light.name);
+            assert!(pixels > 1000, "{name}: only {pixels} judged");
+            assert!(shadowed > 0.005, "{name}: {shadowed} in shadow");
+            assert!(wrong <= MOST, "{name}, {}: {wrong} of {pixels} are wrong", light.name);
+        }
     }
 
     /// The number of pixels of a light of which nothing is said.
