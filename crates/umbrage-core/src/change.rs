@@ -9,7 +9,8 @@ use crate::light_box::LightBox;
 use crate::schema::cost::Cost;
 use crate::settings::bias::{BiasNumbers, FrameBias, PlanBias};
 use crate::settings::{
-    Bias, CasterFaces, DepthFormat, DepthLayer, Scheme, Select, Settings, Shade, Storage, TransparentCasters,
+    Bias, CasterFaces, DepthFormat, DepthLayer, Exact, Scheme, Select, Settings, Shade, Storage,
+    TransparentCasters,
 };
 use crate::warp::Warp;
 
@@ -66,6 +67,8 @@ pub struct ReceiverKey {
     pub blends: bool,
     /// What each texel is compared with.
     pub compare_depth: CompareDepth,
+    /// Which receivers are traced, where there is something to trace.
+    pub exact: Exact,
     /// The march through the camera's depth, where there is one.
     pub contact: Option<Contact>,
 }
@@ -204,6 +207,7 @@ impl Settings {
             select,
             blend,
             filter,
+            exact,
             bias,
             contact,
             shade,
@@ -259,6 +263,7 @@ impl Settings {
                 select,
                 blends: blend > 0.0,
                 compare_depth: self.compare_depth(),
+                exact,
                 contact,
             },
             caster: CasterKey { depth, flattens, faces, raster_constant, raster_slope, draws_second },

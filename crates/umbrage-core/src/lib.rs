@@ -81,8 +81,8 @@ pub use plane::Plane;
 pub use presets::{PRESETS, Preset};
 pub use samples::{ChosenRectangle, RUNGS_AN_OCTAVE, SampleRegion, Turn};
 pub use settings::{
-    Bias, CasterFaces, DepthFormat, DepthLayer, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings, Shade,
-    Storage, TransparentCasters,
+    Bias, CasterFaces, DepthFormat, DepthLayer, Exact, MAX_LIGHTS, MAX_SPLITS, Scheme, Select, Settings,
+    Shade, Storage, TransparentCasters,
 };
 pub use space::Rays;
 pub use split::{Splits, split_distances};

@@ -16,7 +16,7 @@ mod renamed;
 pub(crate) mod values;
 
 use self::kind::Kind;
-use crate::settings::{Settings, bias, maps, shade, splits};
+use crate::settings::{Settings, bias, exact, maps, shade, splits};
 use crate::{contact, filter, light_box};
 
 pub use cost::Cost;
@@ -27,7 +27,8 @@ pub use values::{Choice, Values};
 
 /// The whole table, group after group. A name with several ranges comes several times, each for other kinds.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    let before = [splits::KEYS, maps::KEYS, light_box::KEYS, &[filter::KIND]].into_iter().flatten();
+    let before =
+        [splits::KEYS, maps::KEYS, light_box::KEYS, &[exact::EXACT, filter::KIND]].into_iter().flatten();
     let between = [bias::KEYS, contact::KEYS, &[shade::KIND]].into_iter().flatten();
     before.chain(keys_of_kinds(filter::KINDS)).chain(between).chain(keys_of_kinds(shade::KINDS))
 }
@@ -48,7 +49,7 @@ pub fn key(name: &str) -> Option<&'static Key> {
 pub fn keys_of(settings: &Settings) -> impl Iterator<Item = &'static Key> {
     let before = [splits::KEYS, maps::KEYS].into_iter().flatten();
     let light_box = keys_of_table(light_box::KEYS, settings.light_box.is_some());
-    let between = [&[filter::KIND], settings.filter.keys(), bias::KEYS].into_iter().flatten();
+    let between = [&[exact::EXACT, filter::KIND], settings.filter.keys(), bias::KEYS].into_iter().flatten();
     let contact = keys_of_table(contact::KEYS, settings.contact.is_some());
     let shade = [&[shade::KIND], settings.shade.keys()].into_iter().flatten();
     before.chain(light_box).chain(between).chain(contact).chain(shade)

@@ -1,6 +1,7 @@
 //! Every choice there is, in one schema: the same names in Rust, in TOML, on the command line and in results.
 
 pub(crate) mod bias;
+pub(crate) mod exact;
 mod limits;
 pub(crate) mod maps;
 pub(crate) mod shade;
@@ -15,6 +16,7 @@ use crate::light_box::LightBox;
 use crate::warp::Warp;
 
 pub use bias::{Bias, CasterFaces, DepthLayer};
+pub use exact::Exact;
 pub use limits::{MAX_LIGHTS, MAX_SPLITS};
 pub use maps::{DepthFormat, Select, Storage};
 pub(crate) use maps::{LARGEST_TILE, LEAST_TILE};
@@ -80,6 +82,8 @@ pub struct Settings {
     pub blend: f32,
     /// How a map is read. The default is [`Filter::Optimised`] with a size of 3.
     pub filter: Filter,
+    /// Which receivers are traced through the casters' triangles instead. The default is [`Exact::Off`].
+    pub exact: Exact,
     /// What keeps surfaces from shadowing themselves.
     pub bias: Bias,
     /// Shadows from the camera's depth, for the last centimetres that a map misses; `None`, the default, is none.
@@ -113,6 +117,7 @@ impl Default for Settings {
             blend: 0.0,
             select: Select::Map, // a tenth less error than by depth: docs/decisions/0007
             filter: Filter::Optimised { size: 3 }, // a fifth less error against the pixel's area: docs/decisions/0017
+            exact: Exact::Off, // needs the casters' triangles, which not every renderer has
             bias: Bias::default(),
             contact: None, // needs the camera's depth before shading, which not every renderer has
             shade: Shade::Absence { darkness: 1.0 },
@@ -153,6 +158,7 @@ impl Settings {
             select: _,
             blend,
             filter,
+            exact: _,
             bias,
             contact,
             shade,

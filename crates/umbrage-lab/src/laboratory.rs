@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use umbrage::{Settings, ShadowPlan};
+use umbrage::{Exact, Settings, ShadowPlan};
 use umbrage_judge::statistics::Spread;
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Frame, FrameTimes, Gpu, Picture, Rendered, Renderer, Show};
+use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RayCasters, Rendered, Renderer, Show};
 use umbrage_rivals::Family;
 use umbrage_scene::{Pose, Scene};
 
@@ -223,6 +223,9 @@ impl<'a> Laboratory<'a> {
     pub(crate) fn use_settings(&mut self, settings: &Settings) -> Result<(), LabError> {
         if self.renderer.shadows().settings() != settings {
             self.renderer.set_settings(settings.clone())?;
+        }
+        if settings.exact != Exact::Off && !self.renderer.has_ray_casters() {
+            self.renderer.set_ray_casters(&RayCasters::of(self.scene))?;
         }
         Ok(())
     }

@@ -9,7 +9,7 @@ mod planning;
 
 use std::sync::Arc;
 
-use umbrage::{Casting, Changed, Light, Settings, ShadowError, Shadows};
+use umbrage::{Casting, Changed, Exact, Light, Settings, ShadowError, Shadows};
 use umbrage_scene::Scene;
 use web_time::{Duration, Instant};
 
@@ -22,6 +22,7 @@ use crate::draws::PartTable;
 use crate::error::RenderError;
 use crate::frame::{Frame, Show};
 use crate::gpu::Gpu;
+use crate::occluders::RayCasters;
 use crate::passes::casters::{Casters, Surface, Vertices};
 use crate::passes::map_picture::MapPicture;
 use crate::passes::query::QueryPass;
@@ -64,6 +65,8 @@ pub struct Renderer {
     pub hold_plans: bool,
     /// Whether there was no room for maps of what stands.
     has_no_room_for_still: bool,
+    /// Whether what rays go through is bound.
+    has_taken_casters: bool,
 }
 
 impl Renderer {
@@ -72,10 +75,44 @@ impl Renderer {
     /// # Errors
     /// When a setting is out of range, or something exceeds the adapter's limits.
     pub fn new(gpu: &Gpu, scene: &Scene, settings: Settings) -> Result<Self, RenderError> {
+        let traces = settings.exact != Exact::Off;
         let parts = PartTable::new(scene);
         let levels = CasterLevels::begin(scene, parts.with_levels(scene));
         let buffers = gpu.allocate("the scene", || SceneBuffers::new(gpu, scene, parts.covers(), levels))?;
-        Self::with_buffers(gpu, Arc::new(buffers), parts, settings)
+        let mut renderer = Self::with_buffers(gpu, Arc::new(buffers), parts, settings)?;
+        if traces {
+            renderer.set_ray_casters(&RayCasters::of(scene))?;
+        }
+        Ok(renderer)
+    }
+
+    /// Hands over what rays go through where [`Settings::exact`] asks for some: the casters of the same scene. Without them, maps
+    /// alone answer. They are those of all renderers [beside](Self::beside) this one too, and [`Self::new`] makes them itself where
+    /// its settings ask for rays.
+    ///
+    /// # Errors
+    /// When the device has no room for them; then maps alone answer.
+    pub fn set_ray_casters(&mut self, casters: &RayCasters) -> Result<(), RenderError> {
+        self.scene.occluders.set(&self.gpu, casters)?;
+        self.take_ray_casters()
+    }
+
+    /// Whether something was handed over for rays to go through.
+    pub fn has_ray_casters(&self) -> bool {
+        self.scene.occluders.get().is_some()
+    }
+
+    /// Binds what was handed over, to this renderer or to one beside it.
+    fn take_ray_casters(&mut self) -> Result<(), RenderError> {
+        if self.has_taken_casters || self.shadows.settings().exact == Exact::Off {
+            return Ok(());
+        }
+        let Some(occluders) = self.scene.occluders.get() else { return Ok(()) };
+        let mut shadows = self.shadows.clone();
+        let changed = shadows.set_occluders(&self.gpu.device, Some(occluders.clone()))?;
+        self.use_shadows(shadows, changed);
+        self.has_taken_casters = true;
+        Ok(())
     }
 
     /// Makes another renderer of the same scene, to see it with other settings beside this one. Both share what the scene
@@ -115,6 +152,7 @@ impl Renderer {
             keep_tiles: true,
             hold_plans: true,
             has_no_room_for_still: false,
+            has_taken_casters: false,
         })
     }
 
@@ -216,6 +254,7 @@ impl Renderer {
 
     /// Maps, pipelines and textures that fit the frame.
     fn make_ready(&mut self, frame: &Frame) -> Result<Arc<Target>, RenderError> {
+        self.take_ray_casters()?;
         self.lights.clear();
         if frame.show.has_shadows() {
             self.lights.extend(frame.lights.iter().map(|light| light.light));
@@ -321,7 +360,7 @@ impl Renderer {
         target: Arc<Target>,
     ) -> Result<Drawn, RenderError> {
         // A renderer beside this one may have moved the scene.
-        self.scene.move_to(&self.gpu, &self.timer, planned.origin, &planned.pose);
+        self.scene.move_to(&self.gpu, &self.timer, planned.origin, &planned.pose)?;
         let mut encoder = self.gpu.encoder("Renderer::shading");
         let inputs = Inputs { gpu: &self.gpu, scene: &self.scene, shadows: &self.shadows };
         self.shading.record(inputs, &mut encoder, &self.timer, &planned, show, &target)?;

@@ -10,6 +10,7 @@ use crate::deformation::Deformation;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::materials::Materials;
+use crate::occluders::SceneOccluders;
 use crate::placement::Placement;
 use crate::shaders::Finish;
 use crate::shapes::Shapes;
@@ -34,6 +35,8 @@ pub(crate) struct SceneBuffers {
     pub finish: Finish,
     /// What meshes cast with, as soon as it is made.
     pub levels: CasterLevels,
+    /// What rays go through, once settings ask for some.
+    pub occluders: SceneOccluders,
     /// The covers that the scene's surfaces have.
     pub covers: Vec<Cover>,
 }
@@ -71,16 +74,24 @@ impl SceneBuffers {
             surroundings: Surroundings::new(gpu, scene),
             finish: if is_matte { Finish::Matte } else { Finish::Glossy },
             levels,
+            occluders: SceneOccluders::default(),
             covers,
         })
     }
 
     /// Moves and bends everything as it is in a pose, relative to `origin`, as far as it is not so.
-    pub fn move_to(&self, gpu: &Gpu, timer: &PassTimer, origin: DVec3, pose: &Pose) {
+    pub fn move_to(
+        &self,
+        gpu: &Gpu,
+        timer: &PassTimer,
+        origin: DVec3,
+        pose: &Pose,
+    ) -> Result<(), RenderError> {
         self.placement.move_to(gpu, origin, pose);
         if let Some(deformation) = &self.deformation {
             deformation.move_to(gpu, timer, pose);
         }
+        self.occluders.move_to(gpu, &self.placement.instances, origin, pose)
     }
 
     /// Gives a pass the vertices of casters.

@@ -48,6 +48,8 @@ struct UmbrageLight {
     view_count: u32,
     /// The tangent of half the angle that a sun is seen under, or the radius of a punctual light, metres.
     size: f32,
+    /// The distance from a punctual light within which nothing casts, metres.
+    near: f32,
 }
 
 struct UmbrageFrame {

@@ -39,6 +39,7 @@ shared_with_shaders! {
         first_view: u32,
         view_count: u32,
         size: f32,
+        near: f32,
     }
 }
 
@@ -195,6 +196,7 @@ fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, li
         first_view: views.next().map_or(0, |view| view.index as u32),
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
         size: light.half_size(settings.filter.light_size().unwrap_or_default()),
+        near: light.near(),
     }
 }
 

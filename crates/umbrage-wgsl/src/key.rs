@@ -1,7 +1,7 @@
 //! What the texts of receivers depend on.
 
 use umbrage_core::{
-    CompareDepth, Filter, RASTER_STEP_TEXELS, Select, Settings, ShaderNumber, ShaderValue,
+    CompareDepth, Exact, Filter, RASTER_STEP_TEXELS, Select, Settings, ShaderNumber, ShaderValue,
     Stored as StoredByFilter,
 };
 
@@ -24,6 +24,8 @@ pub struct ShaderKey {
     blends: bool,
     /// What is stored instead of depth.
     pub(crate) stored: Option<Stored>,
+    /// Which receivers are traced, and through what; `None` where none are.
+    pub(crate) traced: Option<Traced>,
     constants: Vec<(&'static str, Constant)>,
 }
 
@@ -40,6 +42,23 @@ pub(crate) enum Read {
     Loaded,
     /// Shaders compare, with depths that they read four at once.
     Gathered,
+}
+
+/// What casters are like, as far as rays through them care.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct OccluderTraits {
+    /// Whether some triangles are not solid.
+    pub covers: bool,
+    /// Whether some instances are bent, so that rays know only the box around them.
+    pub bent: bool,
+}
+
+/// Which receivers are traced, and through what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Traced {
+    /// Whether only those are of which the map is not sure.
+    pub undecided: bool,
+    pub occluders: OccluderTraits,
 }
 
 /// What a filter stores instead of depth.
@@ -60,8 +79,18 @@ pub(crate) enum StoredLayout {
 }
 
 impl ShaderKey {
-    /// The key of settings on a device.
+    /// The key of settings on a device, where there is nothing to trace: maps answer whatever `exact` is.
     pub fn new(settings: &Settings, support: TextureSupport) -> Self {
+        Self::with_occluders(settings, support, None)
+    }
+
+    /// The key of settings on a device, where there are such occluders. On devices that do not read depths as numbers, none are
+    /// traced.
+    pub fn with_occluders(
+        settings: &Settings,
+        support: TextureSupport,
+        occluders: Option<OccluderTraits>,
+    ) -> Self {
         let value = ShaderValue::F32(RASTER_STEP_TEXELS);
         let mut numbers = settings.filter.numbers();
         numbers.push(ShaderNumber { name: "UMBRAGE_RASTER_STEP", value });
@@ -72,8 +101,19 @@ impl ShaderKey {
             read: Read::of(settings, support),
             blends: settings.blend > 0.0,
             stored: Stored::by(&settings.filter, support),
+            traced: occluders.filter(|_| support.loads_depth).and_then(|of| Traced::by(settings.exact, of)),
             constants: numbers.iter().map(|number| (number.name, Constant::from(&number.value))).collect(),
         }
+    }
+
+    /// Whether some receivers are traced.
+    pub fn traces(&self) -> bool {
+        self.traced.is_some()
+    }
+
+    /// Whether texts read depths four at once.
+    pub(crate) fn gathers(&self) -> bool {
+        self.read == Read::Gathered || self.traced.is_some_and(|traced| traced.undecided)
     }
 
     /// The lines that declare the constants, by their names.
@@ -99,6 +139,7 @@ impl ShaderKey {
             Select::Map => ("receiver/select_map", "receiver/blend_map"),
         };
         let mut choices = vec![
+            ("umbrage_reaching", Traced::module(self.traced)),
             ("umbrage_select", select),
             ("umbrage_blend", if self.blends { blend } else { "receiver/blend_none" }),
             ("umbrage_gradient", compare),
@@ -107,6 +148,12 @@ impl ShaderKey {
             ("umbrage_lit", lit),
             ("umbrage_filter", modules::filter_module(self.filter, filter)),
         ];
+        if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, bent } }) = self.traced {
+            choices.extend([
+                ("umbrage_traced", if bent { "exact/traced_or_looked_up" } else { "exact/traced" }),
+                ("umbrage_covered", if covers { "exact/covered_cut" } else { "exact/covered_solid" }),
+            ]);
+        }
         choices.extend(self.stored.as_ref().and_then(Stored::read_by).map(|by| ("umbrage_moments_at", by)));
         choices
     }
@@ -123,6 +170,25 @@ impl Read {
             CompareDepth::Plane | CompareDepth::Facing if !support.loads_depth => Self::ComparedByTexel,
             CompareDepth::Plane | CompareDepth::Facing if is_grid => Self::Gathered,
             CompareDepth::Plane | CompareDepth::Facing => Self::Loaded,
+        }
+    }
+}
+
+impl Traced {
+    fn by(exact: Exact, occluders: OccluderTraits) -> Option<Self> {
+        match exact {
+            Exact::Off => None,
+            Exact::Undecided => Some(Self { undecided: true, occluders }),
+            Exact::Always => Some(Self { undecided: false, occluders }),
+        }
+    }
+
+    /// The module that says how much of a light reaches a receiver.
+    fn module(traced: Option<Self>) -> &'static str {
+        match traced {
+            None => "exact/off",
+            Some(Self { undecided: true, .. }) => "exact/undecided",
+            Some(Self { undecided: false, .. }) => "exact/always",
         }
     }
 }

@@ -41,14 +41,14 @@ pub use contact_camera::{CONTACT_CAMERA_BYTES, contact_camera};
 pub use error::ImportError;
 pub use format::{MomentFormat, TexelFormat, TextureSupport};
 pub use frame::{FrameBytes, Surroundings};
-pub use key::ShaderKey;
+pub use key::{OccluderTraits, ShaderKey};
 pub use levels::lattice_level;
 pub use looks::{LookBytes, ReadChoices, seen_size};
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
-    caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings, map, peel, peel_bindings,
-    receiver, receiver_bindings, receiver_with, restore, restore_bindings, samples, samples_bindings,
-    second_caster,
+    FIRST_OCCLUDER_BINDING, caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings,
+    map, peel, peel_bindings, receiver, receiver_bindings, receiver_with, restore, restore_bindings, samples,
+    samples_bindings, second_caster,
 };
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use umbrage_core::{Contact, DepthLayer, ShaderNumber, ShaderValue};
 use crate::binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
 use crate::constants::lines;
 use crate::error::ImportError;
-use crate::key::{Read, ShaderKey, StoredLayout};
+use crate::key::{Read, ShaderKey, StoredLayout, Traced};
 use crate::link::{Recipe, link};
 
 /// Modules that every receiver's text holds: [`contact`] goes behind it.
@@ -25,7 +25,11 @@ pub fn receiver(key: &ShaderKey, group: u32) -> String {
 /// # Errors
 /// When a module lacks a name that others import from it, or imports what is not there.
 pub fn receiver_with(key: &ShaderKey, group: u32, replaced: &[(&str, &str)]) -> Result<String, ImportError> {
-    let roots = [IN_EVERY_RECEIVER, &["receiver/footprint", "receiver/shade", "receiver/receiver"]].concat();
+    let roots = [
+        IN_EVERY_RECEIVER,
+        &["receiver/footprint", "receiver/shade", "receiver/by_maps", "receiver/receiver"],
+    ]
+    .concat();
     let (choices, constants) = (key.choices(), key.constants());
     let recipe =
         Recipe { roots: &roots, choices: &choices, constants: &constants, replaced, ..Recipe::default() };
@@ -45,8 +49,7 @@ pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
         Read::Compared | Read::ComparedByTexel => {
             bindings.push(sampler(2, "umbrage_compare", SamplerKind::Comparison));
         }
-        Read::Gathered => bindings.push(sampler(2, "umbrage_nearest", SamplerKind::NonFiltering)),
-        Read::Moments | Read::Loaded => {}
+        Read::Moments | Read::Loaded | Read::Gathered => {}
     }
     match key.stored.map(|stored| stored.layout) {
         None => {}
@@ -57,8 +60,30 @@ pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
         ]),
         Some(StoredLayout::Moments { .. }) => bindings.push(array_of("umbrage_moments", SampleType::Float)),
     }
+    if key.gathers() {
+        bindings.push(sampler(5, "umbrage_nearest", SamplerKind::NonFiltering));
+    }
+    bindings.extend(key.traced.iter().flat_map(occluder_bindings));
     bindings
 }
+
+/// What a text binds that traces: see `umbrage-occluders`.
+fn occluder_bindings(traced: &Traced) -> Vec<Binding> {
+    let count = if traced.occluders.covers { 5 } else { 4 };
+    let names =
+        ["umbrage_nodes", "umbrage_placed", "umbrage_triangles", "umbrage_corners", "umbrage_coverage"];
+    let binding = |(i, name)| Binding {
+        binding: FIRST_OCCLUDER_BINDING + i,
+        name,
+        kind: BindingKind::Storage,
+        stages: Stages::FragmentAndCompute,
+    };
+    (0..).zip(names).take(count).map(binding).collect()
+}
+
+/// The number of the first binding of what is traced. They follow each other: nodes, instances, triangles, corners, and
+/// coverage where some triangles are not solid.
+pub const FIRST_OCCLUDER_BINDING: u32 = 6;
 
 /// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader; for a
 /// fragment shader, where casters have holes, `umbrage_caster_fragment(position)`, which does nothing here, and

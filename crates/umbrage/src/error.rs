@@ -90,6 +90,38 @@ pub enum ShadowError {
         /// How these maps lie.
         layout: MapLayout,
     },
+    /// Shaders of this adapter may not read all that casters for rays lie in.
+    #[error(
+        "tracing casters needs shaders that read {wanted} storage buffers, and those of this adapter read {max}; set `exact` to \"off\""
+    )]
+    OccluderBindings {
+        /// How many buffers there are.
+        wanted: u32,
+        /// How many there may be.
+        max: u32,
+    },
+    /// Casters for rays are larger than the adapter's buffers may be.
+    #[error(
+        "tracing casters needs {bytes} bytes for {what}, and this adapter's storage buffers hold {max}; hand over fewer triangles, or set `exact` to \"off\""
+    )]
+    OccludersTooLarge {
+        /// What is too large.
+        what: &'static str,
+        /// How many bytes it needs.
+        bytes: u64,
+        /// How many there may be.
+        max: u64,
+    },
+    /// There are more casters than there is room for, or bent ones where none were to be.
+    #[error(
+        "there is room for {max} instances of casters for rays, and {got} stand there, or one is bent where none was to be; make them anew with Occluders::new and more room"
+    )]
+    OccluderRoom {
+        /// How many instances stand there.
+        got: usize,
+        /// How many there is room for.
+        max: usize,
+    },
     /// The maps could not be read back.
     #[error("the shadow maps could not be read back")]
     ReadBack(#[source] DeviceError),

@@ -43,6 +43,7 @@ mod kept;
 mod layers;
 mod maps;
 mod objects;
+mod occluders;
 mod parts;
 mod prefilter;
 mod receivers;
@@ -61,22 +62,23 @@ pub use changed::Changed;
 pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
 pub use kept::Share;
+pub use occluders::{OccluderRoom, Occluders};
 pub use shadows::{SeenDepth, Shadows};
 pub use umbrage_core::{
     Aabb, Allocation, Bias, BiasMetres, Bounds, Camera, CameraError, CasterFaces, CasterKey, Change,
     ChosenRectangle, CompareDepth, Contact, ConvexBody, ConvexVolume, DepthFormat, DepthLayer, Disc, Esm,
-    Evsm2, Evsm4, Exponent, Exponential, ExponentialVariance, Family, Filter, Fit, Footprint, FourMoments,
-    Light, LightBox, LightError, LightKind, LightSize, Lookup, MAX_LIGHTS, MAX_SPLITS, MapLayout, MapTexels,
-    MapsKey, MomentPrecision, MomentTexel, Moments, Msm, NoiseSource, PICTURE_SIZE, PRESETS, Pcss,
-    PerspectiveError, Place, PlanError, Plane, Precision, Prefilter, Preset, Projection, Query,
-    RASTER_STEP_TEXELS, Rays, ReceiverKey, STEEPEST_PLANE, SampleRegion, Scheme, Select, Settings,
+    Evsm2, Evsm4, Exact, Exponent, Exponential, ExponentialVariance, Family, Filter, Fit, Footprint,
+    FourMoments, Light, LightBox, LightError, LightKind, LightSize, Lookup, MAX_LIGHTS, MAX_SPLITS,
+    MapLayout, MapTexels, MapsKey, MomentPrecision, MomentTexel, Moments, Msm, NoiseSource, PICTURE_SIZE,
+    PRESETS, Pcss, PerspectiveError, Place, PlanError, Plane, Precision, Prefilter, Preset, Projection,
+    Query, RASTER_STEP_TEXELS, Rays, ReceiverKey, STEEPEST_PLANE, SampleRegion, Scheme, Select, Settings,
     SettingsError, Shade, ShaderNumber, ShaderValue, ShadowPlan, ShadowView, SoftMoments, Splits, Storage,
     Stored, SummedVariance, TexelBasis, TexelExtent, TexelPrecision, Tile, TransparentCasters, Turn,
     Variance, ViewKey, Vsm, Warp, balanced_warp_near, ideal_storage_factor, kernel,
     largest_perspective_error, perspective_error, perspective_texel_extent, plan, schema, split_distances,
     storage_factor, texel_extent, view_of,
 };
-pub use {glam, umbrage_wgsl as shaders, wgpu};
+pub use {glam, umbrage_occluders as casters, umbrage_wgsl as shaders, wgpu};
 
 pub use umbrage_wgsl::{contact as contact_wgsl, map as map_wgsl};
 

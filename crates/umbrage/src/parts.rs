@@ -14,6 +14,7 @@ use crate::kept::Kept;
 use crate::layers::Layers;
 use crate::maps::{Maps, clear_pipeline};
 use crate::objects::Objects;
+use crate::occluders::Occluders;
 use crate::receivers::{ReceiverLayout, Samplers, SamplersKind};
 use crate::samples::Samples;
 use crate::still_maps::StillMaps;
@@ -25,6 +26,7 @@ pub(crate) struct Wanted<'a> {
     pub key: &'a ShaderKey,
     pub allocation: &'a Allocation,
     pub capabilities: Capabilities,
+    pub occluders: Option<&'a Occluders>,
 }
 
 /// What the tiles of some maps show, known to all copies of the shadows that draw into them.
@@ -59,6 +61,8 @@ pub(crate) struct Parts {
     /// What the filtered maps were made for.
     key: ShaderKey,
     samplers: Samplers,
+    /// What rays go through.
+    occluders: Option<Occluders>,
     pub receiver_layout: ReceiverLayout,
     pub receiver_group: wgpu::BindGroup,
 }
@@ -66,7 +70,7 @@ pub(crate) struct Parts {
 impl Parts {
     /// Objects for what is wanted: those of `old` where they serve it.
     pub fn new(objects: &Objects<'_>, wanted: Wanted<'_>, old: Option<&Self>) -> Self {
-        let Wanted { settings, key, allocation, capabilities } = wanted;
+        let Wanted { settings, key, allocation, capabilities, occluders } = wanted;
         let (layout, views) = (allocation.layout(), allocation.tiles().len() as u32);
         let caster_layout = kept(old.map(|old| &old.caster_layout), || {
             bindings::group_layout(objects, "Shadows::caster_layout", &caster_bindings())
@@ -106,10 +110,11 @@ impl Parts {
         let same_group = bound.filter(|old| {
             old.receiver_layout.layout == receiver_layout.layout
                 && old.samplers.are(kind)
+                && old.occluders.as_ref() == occluders
                 && texture(&old.filtered) == texture(&filtered)
         });
         let receiver_group = kept(same_group.map(|old| &old.receiver_group), || {
-            receiver_layout.group(objects, &buffers, &maps, filtered.as_ref(), &samplers)
+            receiver_layout.group(objects, &buffers, &maps, filtered.as_ref(), &samplers, occluders)
         });
         let key = key.clone();
         Self {
@@ -124,6 +129,7 @@ impl Parts {
             filtered,
             key,
             samplers,
+            occluders: occluders.cloned(),
             receiver_layout,
             receiver_group,
         }
@@ -143,6 +149,7 @@ impl Parts {
             + self.layers.as_ref().map_or(0, Layers::bytes)
             + self.still.as_ref().map_or(0, |still| still.maps.layout.bytes())
             + self.filtered.as_ref().map_or(0, |filtered| filtered.textures().bytes())
+            + self.occluders.as_ref().map_or(0, Occluders::bytes)
     }
 }
 

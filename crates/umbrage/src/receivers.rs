@@ -8,6 +8,7 @@ use crate::filtered::Filtered;
 use crate::frame::FrameBuffers;
 use crate::maps::Maps;
 use crate::objects::Objects;
+use crate::occluders::Occluders;
 
 /// The layout of receivers' group, and what it is for.
 #[derive(Clone, Debug)]
@@ -30,6 +31,7 @@ impl ReceiverLayout {
         maps: &Maps,
         filtered: Option<&Filtered>,
         samplers: &Samplers,
+        occluders: Option<&Occluders>,
     ) -> wgpu::BindGroup {
         let filtered = filtered.map_or(&maps.all, |filtered| &filtered.textures().all);
         let resource = |binding: &Binding| match (binding.kind, binding.binding) {
@@ -46,8 +48,9 @@ impl ReceiverLayout {
             (BindingKind::Texture { .. } | BindingKind::StorageTexture { .. }, _) => {
                 wgpu::BindingResource::TextureView(filtered)
             }
-            (BindingKind::Storage | BindingKind::WrittenStorage | BindingKind::Uniform { .. }, _) => {
-                buffers.frame.as_entire_binding()
+            (BindingKind::Storage | BindingKind::WrittenStorage | BindingKind::Uniform { .. }, number) => {
+                let occluders = occluders.and_then(|occluders| occluders.buffer(number));
+                occluders.unwrap_or(&buffers.frame).as_entire_binding()
             }
         };
         let resources = self.bindings.iter().map(|binding| (binding.binding, resource(binding)));

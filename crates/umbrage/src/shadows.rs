@@ -18,6 +18,7 @@ use crate::error::ShadowError;
 use crate::kept::Step;
 use crate::maps::check_size;
 use crate::objects::Objects;
+use crate::occluders::Occluders;
 use crate::parts::{Parts, Wanted};
 use crate::supported::{allocation, check};
 
@@ -31,6 +32,8 @@ pub struct Shadows {
     settings: Settings,
     capabilities: Capabilities,
     key: ShaderKey,
+    /// What rays go through.
+    occluders: Option<Occluders>,
     /// For which there is room.
     lights: Vec<Light>,
     allocation: Allocation,
@@ -57,12 +60,14 @@ impl Shadows {
         let allocation = Allocation::of_sun(&settings);
         check_size(device, allocation.layout())?;
         let key = ShaderKey::new(&settings, capabilities.textures());
-        let wanted = Wanted { settings: &settings, key: &key, allocation: &allocation, capabilities };
+        let wanted =
+            Wanted { settings: &settings, key: &key, allocation: &allocation, capabilities, occluders: None };
         let parts = Parts::new(&Objects::new(device), wanted, None);
         Ok(Self {
             settings,
             capabilities,
             key,
+            occluders: None,
             lights: Vec::new(),
             allocation,
             parts,
@@ -87,7 +92,7 @@ impl Shadows {
             return Ok(Changed::default());
         }
         let allocation = allocation(&self.settings, lights)?;
-        let changed = self.remake(device, self.settings.clone(), allocation)?;
+        let changed = self.remake(device, self.settings.clone(), allocation, self.occluders.clone())?;
         self.lights = lights.to_vec();
         Ok(changed)
     }
@@ -113,7 +118,19 @@ impl Shadows {
             [] => Allocation::of_sun(&settings),
             lights => allocation(&settings, lights)?,
         };
-        self.remake(device, settings, allocation)
+        self.remake(device, settings, allocation, self.occluders.clone())
+    }
+
+    /// Says what rays go through where [`Settings::exact`] asks for some; with `None`, which is so at first, maps alone answer.
+    ///
+    /// # Errors
+    /// None that [`Self::new`] had not.
+    pub fn set_occluders(
+        &mut self,
+        device: &wgpu::Device,
+        occluders: Option<Occluders>,
+    ) -> Result<Changed, ShadowError> {
+        self.remake(device, self.settings.clone(), self.allocation.clone(), occluders)
     }
 
     fn remake(
@@ -121,11 +138,20 @@ impl Shadows {
         device: &wgpu::Device,
         settings: Settings,
         allocation: Allocation,
+        occluders: Option<Occluders>,
     ) -> Result<Changed, ShadowError> {
         check_size(device, allocation.layout())?;
         let capabilities = self.capabilities;
-        let key = ShaderKey::new(&settings, capabilities.textures());
-        let wanted = Wanted { settings: &settings, key: &key, allocation: &allocation, capabilities };
+        let traits = occluders.as_ref().map(Occluders::traits);
+        let key = ShaderKey::with_occluders(&settings, capabilities.textures(), traits);
+        let occluders_bound = occluders.as_ref().filter(|_| key.traces());
+        let wanted = Wanted {
+            settings: &settings,
+            key: &key,
+            allocation: &allocation,
+            capabilities,
+            occluders: occluders_bound,
+        };
         let objects = Objects::new(device);
         let parts = Parts::new(&objects, wanted, Some(&self.parts));
         let changed = Changed {
@@ -135,6 +161,7 @@ impl Shadows {
             objects: objects.made(),
         };
         (self.settings, self.allocation, self.key, self.parts) = (settings, allocation, key, parts);
+        self.occluders = occluders;
         self.steps.clear();
         Ok(changed)
     }

@@ -7,8 +7,8 @@ use serde::de::DeserializeOwned;
 use toml::Value;
 use umbrage_core::schema::{Key, Values, keys};
 use umbrage_core::{
-    CasterFaces, DepthFormat, DepthLayer, Filter, Fit, MomentPrecision, NoiseSource, Precision, Scheme,
-    Select, Shade, Storage, TransparentCasters, Warp,
+    CasterFaces, DepthFormat, DepthLayer, Exact, Filter, Fit, MomentPrecision, NoiseSource, Precision,
+    Scheme, Select, Shade, Storage, TransparentCasters, Warp,
 };
 
 use crate::samples::kinds;
@@ -59,6 +59,7 @@ fn every_variant_is_a_choice_and_every_choice_a_variant() {
             ("transparent_casters", _) => {
                 are_choices::<TransparentCasters>(key, &variants!(TransparentCasters: Dither, Solid, None));
             }
+            ("exact", _) => are_choices::<Exact>(key, &variants!(Exact: Off, Undecided, Always)),
             ("warp", _) => are_choices::<Warp>(key, &variants!(Warp: None, Psm, Lispsm, Tsm)),
             ("select", _) => are_choices::<Select>(key, &variants!(Select: Depth, ClipDepth, Map)),
             ("bias.casters", _) => {

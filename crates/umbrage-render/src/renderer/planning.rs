@@ -23,7 +23,7 @@ impl Renderer {
         self.take_levels();
         let Self { gpu, scene, parts, shadows, lights, timer, plans, .. } = self;
         let origin = frame.camera.local_origin();
-        scene.move_to(gpu, timer, origin, &frame.pose);
+        scene.move_to(gpu, timer, origin, &frame.pose)?;
         parts.hold_reaches(hold_plans);
         parts.move_to(&scene.placement.instances, &frame.pose);
         let planned_for = frame.planned_for.as_ref().unwrap_or(&frame.camera);

@@ -27,6 +27,8 @@ struct UmbrageLookup {
     texel: vec2f,
     /// Depth to compare with: lit where it is not less than the stored one.
     compare_depth: f32,
+    /// How much of that depth is bias, which the receiver's own plane lies behind.
+    bias: f32,
     /// How much the depth to compare with grows from a texel to the next, to the right and downward.
     gradient: vec2f,
     /// How much it also grows a texel in any direction, where the surface may bend, beyond UMBRAGE_OWN_TEXEL.
@@ -46,7 +48,7 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     let local = umbrage_local(view_index, world_position);
     let clip_unbiased = clip_from_local * vec4f(local, 1.0);
     if clip_unbiased.w <= 0.0 {
-        return UmbrageLookup(view_index, light, vec2f(-1.0), -1.0, vec2f(0.0), 0.0, vec2f(1.0));
+        return UmbrageLookup(view_index, light, vec2f(-1.0), -1.0, 0.0, vec2f(0.0), 0.0, vec2f(1.0));
     }
     let texel_basis = umbrage_texel_basis(view_index, clip_unbiased);
     let to_light = umbrage_direction_to_light(light, world_position);
@@ -74,6 +76,7 @@ fn umbrage_lookup(view_index: u32, light: u32, world_position: vec3f, world_norm
     lookup.texel_metres = vec2f(length(texel_basis.right), length(texel_basis.down));
     lookup.texel = (clip.xy / clip.w * vec2f(0.5, -0.5) + 0.5) * tile_size;
     lookup.compare_depth = depth + nearer + rounded;
+    lookup.bias = nearer;
     lookup.bend = bend;
     lookup.gradient = umbrage_gradient(texel_basis, slope, to_light);
     return lookup;

@@ -1,12 +1,10 @@
 // What a receiver's shader asks: how much of a light reaches a point, 1 for all and 0 for none.
 
-import chosen::umbrage_blend;
+import chosen::umbrage_reaching;
 import package::frame::umbrage_frame;
 import package::light::umbrage_direction_to_light;
 import package::receiver::lookup::UmbrageReceiver;
-import package::receiver::no_view::UMBRAGE_NO_VIEW;
-import package::receiver::read::umbrage_read;
-import package::receiver::view::{umbrage_lookup_of, umbrage_view_depth};
+import package::receiver::view::umbrage_view_depth;
 
 /// How much of one light reaches a world-space point. Points outside every map are lit, and so is everything by a light
 /// that the plan does not have; surfaces that are turned away from it are dark. What lies outside of a spot's cone may be
@@ -20,14 +18,8 @@ fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec
     if cosine <= 0.0 {
         return 0.0;
     }
-    let lookup = umbrage_lookup_of(light, world_position, world_normal);
-    var visible = 1.0;
-    if lookup.view_index != UMBRAGE_NO_VIEW {
-        let depth = umbrage_view_depth(world_position);
-        let receiver = UmbrageReceiver(world_position, world_normal, pixel, depth);
-        let own = umbrage_read(lookup, receiver);
-        visible = umbrage_blend(lookup, own, receiver);
-    }
+    let receiver = UmbrageReceiver(world_position, world_normal, pixel, umbrage_view_depth(world_position));
+    let visible = umbrage_reaching(light, receiver);
     return visible * smoothstep(0.0, 1.0, cosine / max(umbrage_frame.terminator, 1e-30));
 }
 

@@ -2,7 +2,7 @@
 
 import package::storage::map::{umbrage_layer, umbrage_map, umbrage_uv};
 
-@group(0) @binding(2) var umbrage_nearest: sampler;
+@group(0) @binding(5) var umbrage_nearest: sampler;
 
 /// The depths that are stored in the four texels around a corner of texels, which lies a texel or more within the tile: lower
 /// left, lower right, upper right, upper left.

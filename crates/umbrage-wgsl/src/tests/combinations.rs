@@ -2,7 +2,7 @@
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use umbrage_core::{
-    Bias, Contact, DepthLayer, Disc, Exponential, ExponentialVariance, Filter, Footprint, FourMoments,
+    Bias, Contact, DepthLayer, Disc, Exact, Exponential, ExponentialVariance, Filter, Footprint, FourMoments,
     MomentPrecision, NoiseSource, Pcss, Precision, Prefilter, Select, Settings, SoftMoments, SummedVariance,
     Variance, Warp,
 };
@@ -136,6 +136,26 @@ pub(super) fn keys() -> Vec<(String, ShaderKey)> {
                 for support in supports(&filter) {
                     keys.push((format!("{settings:?}, {support:?}"), ShaderKey::new(&settings, support)));
                 }
+            }
+        }
+        keys.extend(traced(filter));
+    }
+    keys
+}
+
+/// The keys of texts that trace, with a filter.
+fn traced(filter: Filter) -> Vec<(String, ShaderKey)> {
+    let mut keys = Vec::new();
+    for exact in [Exact::Undecided, Exact::Always] {
+        for (covers, bent) in [(false, false), (false, true), (true, false), (true, true)] {
+            for (receiver_plane, select, support) in
+                [(true, Select::Map, TextureSupport::ALL), (false, Select::Depth, TextureSupport::WEBGPU)]
+            {
+                let bias = Bias { receiver_plane, ..Bias::default() };
+                let settings = Settings { filter, exact, select, bias, blend: 0.1, ..Settings::default() };
+                let occluders = Some(OccluderTraits { covers, bent });
+                let key = ShaderKey::with_occluders(&settings, support, occluders);
+                keys.push((format!("{settings:?}, {occluders:?}, {support:?}"), key));
             }
         }
     }

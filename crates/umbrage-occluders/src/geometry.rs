@@ -1,0 +1,158 @@
+//! All meshes, as a shader finds them: nodes, triangles, corners, and how much of their place triangles cover.
+
+use std::collections::HashMap;
+
+use glam::{Vec3, Vec3A};
+use obvhs::aabb::Aabb;
+use rayon::prelude::*;
+
+use crate::coverage::Coverage;
+use crate::node::{self, MAX_TRIANGLES, Node, padded};
+use crate::source::{AlphaPicture, Mesh};
+
+/// The geometry of all meshes, each with a hierarchy in its own space.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    /// The nodes of all meshes. Links count from the first of all.
+    pub nodes: Vec<Node>,
+    /// The triangles in the order of the leaves: three corners, and one more than the surface of one that is not solid.
+    pub triangles: Vec<[u32; 4]>,
+    /// The corners, each once in its mesh, in mesh space.
+    pub corners: Vec<[f32; 3]>,
+    /// How much of their place triangles cover that are not solid: see `exact/covered_cut.wgsl`.
+    pub coverage: Vec<u32>,
+    /// Where each mesh lies, in the order of the meshes.
+    pub meshes: Vec<MeshRange>,
+    /// The number of triangles that were left out, as they have no area or corners that are not finite.
+    pub left_out: usize,
+}
+
+/// Where the nodes of a mesh lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MeshRange {
+    /// The index of the first node.
+    pub first: u32,
+    /// The index behind the last one; the same where nothing of the mesh casts.
+    pub end: u32,
+    /// The least coordinates of the mesh, with a margin.
+    pub low: Vec3,
+    /// The largest.
+    pub high: Vec3,
+}
+
+/// One mesh, before it is put behind the others.
+struct Built {
+    nodes: Vec<Node>,
+    triangles: Vec<[u32; 4]>,
+    corners: Vec<[f32; 3]>,
+    surfaces: Vec<u32>,
+    bounds: Aabb,
+    left_out: usize,
+}
+
+impl Geometry {
+    /// Builds the hierarchies of all meshes, on all cores.
+    pub fn build(meshes: &[Mesh<'_>], pictures: &[AlphaPicture]) -> Self {
+        let mut coverage = Coverage::new(pictures);
+        let welded: Vec<Welded> = meshes.iter().map(|mesh| Welded::of(mesh, &mut coverage)).collect();
+        let built: Vec<Built> = welded.into_par_iter().map(Built::of).collect();
+        let mut all = Self { coverage: coverage.finish(), ..Self::default() };
+        for mesh in built {
+            all.add(mesh);
+        }
+        all
+    }
+
+    fn add(&mut self, Built { nodes, triangles, corners, surfaces, bounds, left_out }: Built) {
+        let [first, triangle, corner] =
+            [self.nodes.len(), self.triangles.len(), self.corners.len()].map(|length| length as u32);
+        self.nodes.extend(nodes.into_iter().map(|node| Node {
+            next: node.next + first,
+            leaf: if node.leaf == 0 { 0 } else { node.leaf + 8 * triangle },
+            ..node
+        }));
+        for surface in surfaces {
+            Coverage::move_corners(&mut self.coverage, surface, corner);
+        }
+        let moved = |[a, b, c, surface]: [u32; 4]| [a + corner, b + corner, c + corner, surface];
+        self.triangles.extend(triangles.into_iter().map(moved));
+        self.corners.extend(corners);
+        self.left_out += left_out;
+        let end = self.nodes.len() as u32;
+        self.meshes.push(MeshRange { first, end, low: bounds.min.into(), high: bounds.max.into() });
+    }
+
+    /// Returns the number of triangles.
+    pub fn triangles(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Whether some triangles are not solid.
+    pub fn has_covers(&self) -> bool {
+        self.triangles.iter().any(|triangle| triangle[3] > 0)
+    }
+}
+
+/// A mesh whose vertices are told apart by their places alone.
+struct Welded {
+    corners: Vec<[f32; 3]>,
+    triangles: Vec<[u32; 4]>,
+    /// The surfaces that are not solid.
+    surfaces: Vec<u32>,
+    left_out: usize,
+}
+
+impl Welded {
+    fn of(mesh: &Mesh<'_>, coverage: &mut Coverage) -> Self {
+        let mut all = Self { corners: Vec::new(), triangles: Vec::new(), surfaces: Vec::new(), left_out: 0 };
+        let mut known = HashMap::new();
+        for part in &mesh.parts {
+            let surface = part.cover.as_ref().map(|cover| coverage.surface(cover));
+            all.surfaces.extend(surface);
+            for triangle in part.indices.as_chunks::<3>().0 {
+                let places = triangle.map(|i| mesh.positions[i as usize]);
+                if !has_area(places) {
+                    all.left_out += 1;
+                    continue;
+                }
+                // Vertices of other surfaces have other texture coordinates there.
+                let mut corner = |vertex: u32, place: Vec3, all: &mut Self, coverage: &mut Coverage| {
+                    let of = surface.map(|surface| (surface, vertex));
+                    *known.entry((place.to_array().map(f32::to_bits), of)).or_insert_with(|| {
+                        all.corners.push(place.to_array());
+                        let corner = all.corners.len() as u32 - 1;
+                        if let (Some(surface), Some(cover)) = (surface, &part.cover) {
+                            coverage.add_corner(surface, cover, vertex, corner);
+                        }
+                        corner
+                    })
+                };
+                let [a, b, c] = [0, 1, 2].map(|i| corner(triangle[i], places[i], &mut all, coverage));
+                all.triangles.push([a, b, c, surface.map_or(0, |surface| surface + 1)]);
+            }
+        }
+        all
+    }
+}
+
+/// Whether a triangle can be hit at all.
+fn has_area([a, b, c]: [Vec3; 3]) -> bool {
+    let [a, b, c] = [a, b, c].map(Vec3::as_dvec3);
+    let area = (b - a).cross(c - a);
+    area.is_finite() && area != glam::DVec3::ZERO
+}
+
+impl Built {
+    fn of(Welded { corners, triangles, surfaces, left_out }: Welded) -> Self {
+        let place = |corner: u32| Vec3A::from_array(corners[corner as usize]);
+        let boxes: Vec<Aabb> = triangles.iter().map(|[a, b, c, _]| padded([*a, *b, *c].map(place))).collect();
+        if boxes.is_empty() {
+            return Self { nodes: Vec::new(), triangles, corners, surfaces, bounds: Aabb::empty(), left_out };
+        }
+        let bvh = node::bvh(&boxes, MAX_TRIANGLES);
+        let mut nodes = Vec::with_capacity(bvh.nodes.len());
+        node::append(&mut nodes, &bvh, |first, count| 8 * first + count);
+        let triangles = bvh.primitive_indices.iter().map(|i| triangles[*i as usize]).collect();
+        Self { nodes, triangles, corners, surfaces, bounds: node::bounds(&bvh), left_out }
+    }
+}

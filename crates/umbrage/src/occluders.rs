@@ -1,0 +1,125 @@
+//! What casts, on the device, for rays: made once of meshes, and told where they stand when something moves.
+
+use std::ops::Range;
+
+use umbrage_occluders::{Geometry, InstanceRecord, Node, TopLevel};
+use umbrage_wgsl::{FIRST_OCCLUDER_BINDING, OccluderTraits};
+
+use crate::error::ShadowError;
+
+/// Casters that shaders trace rays through, where [`Settings::exact`](umbrage_core::Settings::exact) asks for it:
+/// [`Shadows::set_occluders`](crate::Shadows::set_occluders) binds them.
+///
+/// A copy shares the buffers of the original.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Occluders {
+    /// In the order of their bindings: nodes, of which those of the top level come first; instances; triangles; corners; coverage.
+    buffers: [wgpu::Buffer; 5],
+    traits: OccluderTraits,
+    room: usize,
+}
+
+/// What there is to be room for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OccluderRoom {
+    /// The number of instances.
+    pub instances: usize,
+    /// Whether some may be bent, so that rays know only the box around them and leave what is behind it to the maps.
+    pub bent: bool,
+}
+
+/// What buffers a shader reads that traces, beside the frame.
+const STORAGE_BUFFERS: u32 = 6;
+
+impl Occluders {
+    /// Puts casters onto the device. None stands anywhere before [`Self::place`].
+    ///
+    /// # Errors
+    /// When a buffer is larger than the device allows, or shaders may not read so many.
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        geometry: &Geometry,
+        room: OccluderRoom,
+    ) -> Result<Self, ShadowError> {
+        let limits = device.limits();
+        let max = limits.max_storage_buffers_per_shader_stage;
+        if max < STORAGE_BUFFERS {
+            return Err(ShadowError::OccluderBindings { wanted: STORAGE_BUFFERS, max });
+        }
+        let top = top_nodes(room.instances);
+        let moved = |node: &Node| Node { next: node.next + top, ..*node };
+        let mut nodes = TopLevel::build(&[], [], glam::DVec3::ZERO).nodes;
+        nodes.resize(top as usize, Node::default());
+        nodes.extend(geometry.nodes.iter().map(moved));
+        let contents: [(&'static str, usize, &[u8]); 5] = [
+            ("their boxes", 0, bytemuck::cast_slice(&nodes)),
+            ("their instances", room.instances * size_of::<InstanceRecord>(), &[]),
+            ("their triangles", 0, bytemuck::cast_slice(&geometry.triangles)),
+            ("their corners", 0, bytemuck::cast_slice(&geometry.corners)),
+            ("their masks", 0, bytemuck::cast_slice(&geometry.coverage)),
+        ];
+        // No binding may be empty.
+        let sizes = contents.map(|(what, size, bytes)| (what, size.max(bytes.len()).max(64) as u64));
+        let max = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        if let Some((what, bytes)) = sizes.into_iter().find(|(_, bytes)| *bytes > max) {
+            return Err(ShadowError::OccludersTooLarge { what, bytes, max });
+        }
+        let buffers = std::array::from_fn(|i| {
+            let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("Occluders::buffer"),
+                size: sizes[i].1,
+                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            if !contents[i].2.is_empty() {
+                queue.write_buffer(&buffer, 0, contents[i].2);
+            }
+            buffer
+        });
+        let traits = OccluderTraits { covers: geometry.has_covers(), bent: room.bent };
+        Ok(Self { buffers, traits, room: room.instances })
+    }
+
+    /// Says where instances stand, relative to the origin that is given to [`Shadows::set_origin`](crate::Shadows::set_origin).
+    ///
+    /// # Errors
+    /// When there are more than there is room for, or one is bent where none was to be.
+    pub fn place(&self, queue: &wgpu::Queue, top: &TopLevel) -> Result<(), ShadowError> {
+        if top.instances() > self.room || top.has_bent && !self.traits.bent {
+            return Err(ShadowError::OccluderRoom { got: top.instances(), max: self.room });
+        }
+        queue.write_buffer(&self.buffers[0], 0, bytemuck::cast_slice(&top.nodes));
+        let behind = top_nodes(self.room);
+        let moved = |record: &InstanceRecord| match record.first == record.end {
+            true => *record,
+            false => InstanceRecord { first: record.first + behind, end: record.end + behind, ..*record },
+        };
+        let records: Vec<InstanceRecord> = top.records.iter().map(moved).collect();
+        if !records.is_empty() {
+            queue.write_buffer(&self.buffers[1], 0, bytemuck::cast_slice(&records));
+        }
+        Ok(())
+    }
+
+    /// Bytes of everything.
+    pub fn bytes(&self) -> u64 {
+        self.buffers.iter().map(wgpu::Buffer::size).sum()
+    }
+
+    /// What shader texts depend on.
+    pub(crate) fn traits(&self) -> OccluderTraits {
+        self.traits
+    }
+
+    /// The buffer of a binding; `None` where it is another's.
+    pub(crate) fn buffer(&self, binding: u32) -> Option<&wgpu::Buffer> {
+        const BINDINGS: Range<u32> = FIRST_OCCLUDER_BINDING..FIRST_OCCLUDER_BINDING + 5;
+        BINDINGS.contains(&binding).then(|| &self.buffers[(binding - FIRST_OCCLUDER_BINDING) as usize])
+    }
+}
+
+/// The nodes that a hierarchy over so many instances may have.
+fn top_nodes(instances: usize) -> u32 {
+    (2 * instances).max(1) as u32
+}
