@@ -140,6 +140,7 @@ impl ShaderKey {
         };
         let mut choices = vec![
             ("umbrage_reaching", Traced::module(self.traced)),
+            ("UMBRAGE_TURNED_AWAY", Traced::module(self.traced)),
             ("umbrage_select", select),
             ("umbrage_blend", if self.blends { blend } else { "receiver/blend_none" }),
             ("umbrage_gradient", compare),

@@ -1,6 +1,7 @@
 // Every receiver is traced, as far from the eye as there are shadows.
 
 import chosen::umbrage_traced;
+import package::exact::turned_away::UMBRAGE_TURNED_AWAY;
 import package::frame::umbrage_frame;
 import package::receiver::fade::umbrage_faded;
 import package::receiver::lookup::UmbrageReceiver;

@@ -3,6 +3,7 @@
 
 import chosen::umbrage_traced;
 import package::exact::decided::{UMBRAGE_UNDECIDED, umbrage_decided};
+import package::exact::turned_away::UMBRAGE_TURNED_AWAY;
 import package::frame::umbrage_frame;
 import package::receiver::fade::umbrage_faded;
 import package::receiver::lookup::UmbrageReceiver;

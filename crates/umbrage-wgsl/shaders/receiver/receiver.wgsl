@@ -1,6 +1,6 @@
 // What a receiver's shader asks: how much of a light reaches a point, 1 for all and 0 for none.
 
-import chosen::umbrage_reaching;
+import chosen::{UMBRAGE_TURNED_AWAY, umbrage_reaching};
 import package::frame::umbrage_frame;
 import package::light::umbrage_direction_to_light;
 import package::receiver::lookup::UmbrageReceiver;
@@ -15,7 +15,7 @@ fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec
         return 1.0;
     }
     let cosine = dot(world_normal, umbrage_direction_to_light(light, world_position));
-    if cosine <= 0.0 {
+    if cosine <= UMBRAGE_TURNED_AWAY {
         return 0.0;
     }
     let receiver = UmbrageReceiver(world_position, world_normal, pixel, umbrage_view_depth(world_position));

@@ -34,7 +34,12 @@ fn modules_import_what_they_use_and_use_what_they_import() {
         }
         for name in names(&imports) {
             // What is only put beside it, for who chooses this module.
-            let beside = ["umbrage_offset_reach", "umbrage_moments_add", "umbrage_moments_none"];
+            let beside = [
+                "umbrage_offset_reach",
+                "UMBRAGE_TURNED_AWAY",
+                "umbrage_moments_add",
+                "umbrage_moments_none",
+            ];
             let used = names(&code).contains(name) || is_recipe || beside.contains(&name);
             assert!(
                 used || name == "umbrage_moments_visibility",
