@@ -92,6 +92,9 @@ pub struct TimeArgs {
     /// Which of the file's animations plays, by name or by number from 0, or `none`; the first where it is not given
     #[arg(long, value_name = "NAME|N|none")]
     pub animation: Option<String>,
+    /// Let suns go once around in so many seconds, from where they are at time 0; without it they stand
+    #[arg(long, value_name = "S", value_parser = parse::day, allow_negative_numbers = true)]
+    pub day: Option<f32>,
 }
 
 /// Which world, from where, lit how.
