@@ -162,8 +162,9 @@ pub struct LookArgs {
     #[arg(long)]
     pub no_haze: bool,
     /// A picture of everything around, which lights the scene and is seen behind it: equirectangular, .hdr (or a .png or
-    /// .jpg), its middle along -Z
-    #[arg(long, value_name = "FILE.hdr")]
+    /// .jpg), its middle along -Z. Or a cube of six faces: a .ktx2, or a folder of pictures whose names end in px, nx, py, ny,
+    /// pz and nz, with pz along -Z and px along +X
+    #[arg(long, value_name = "FILE|FOLDER")]
     pub environment: Option<PathBuf>,
 }
 
