@@ -27,6 +27,8 @@ struct Chapter {
     found: &'static str,
     /// The worlds whose enlarged parts are shown.
     enlarged: &'static [&'static str],
+    /// The files in `docs/pictures` of the experiment's first plots, in its order; `found` shows each.
+    plots: &'static [&'static str],
 }
 
 /// The paper's claims, and the tutorial's.
@@ -34,21 +36,29 @@ pub const CLAIMS: Document = Document {
     path: "docs/claims.md",
     head: include_str!("claims/head.md"),
     chapters: &[
-        Chapter { name: "zhang-table-1", found: include_str!("claims/zhang-table-1.md"), enlarged: &[] },
+        Chapter {
+            name: "zhang-table-1",
+            found: include_str!("claims/zhang-table-1.md"),
+            enlarged: &[],
+            plots: &["zhang-figure-7-time.svg", "zhang-figure-7-memory.svg"],
+        },
         Chapter {
             name: "dueling-frusta",
             found: include_str!("claims/dueling-frusta.md"),
             enlarged: &["knights"],
+            plots: &[],
         },
         Chapter {
             name: "zhang-figure-8",
             found: include_str!("claims/zhang-figure-8.md"),
             enlarged: &["huge-chessboard", "robot-war", "mining-terrain", "knights"],
+            plots: &[],
         },
         Chapter {
             name: "tutorial-16",
             found: include_str!("claims/tutorial-16.md"),
             enlarged: &["tutorial-room"],
+            plots: &[],
         },
     ],
 };
@@ -62,19 +72,27 @@ pub const FERKO: Document = Document {
             name: "ferko-figures-2.3-3.3",
             found: include_str!("ferko/figures-2.3-3.3.md"),
             enlarged: &["bunny"],
+            plots: &[],
         },
         Chapter {
             name: "ferko-tables-5",
             found: include_str!("ferko/tables-5.md"),
             enlarged: &["primitives", "bunny", "dragon"],
+            plots: &[],
         },
         Chapter {
             name: "ferko-figure-5.2",
             found: include_str!("ferko/figure-5.2.md"),
             enlarged: &["bunny", "mining-terrain"],
+            plots: &[],
         },
-        Chapter { name: "ferko-figure-5.3", found: include_str!("ferko/figure-5.3.md"), enlarged: &[] },
-        Chapter { name: "ferko-shaking", found: include_str!("ferko/shaking.md"), enlarged: &[] },
+        Chapter {
+            name: "ferko-figure-5.3",
+            found: include_str!("ferko/figure-5.3.md"),
+            enlarged: &[],
+            plots: &[],
+        },
+        Chapter { name: "ferko-shaking", found: include_str!("ferko/shaking.md"), enlarged: &[], plots: &[] },
     ],
 };
 
@@ -86,6 +104,7 @@ pub const FAMILIES: Document = Document {
         name: "families",
         found: include_str!("families/found.md"),
         enlarged: &["primitives", "closed-room"],
+        plots: &[],
     }],
 };
 
@@ -128,7 +147,8 @@ fn claims(name: &str, verdicts: &serde_json::Value) -> anyhow::Result<Vec<[Strin
 impl Chapter {
     /// One experiment: its pictures, its claims, its figures, and what it was made with.
     fn text(&self, reports: &Reports) -> anyhow::Result<String> {
-        let Self { name, found, enlarged } = self;
+        let Self { name, found, enlarged, plots } = self;
+        reports.copy_plots(name, plots.iter().copied())?;
         let verdicts = reports.verdicts(name)?;
         let title =
             verdicts["title"].as_str().with_context(|| format!("the verdicts of {name} lack a title"))?;
@@ -171,13 +191,18 @@ mod tests {
     #[test]
     fn every_chapter_says_what_it_found_and_its_experiment_enlarges_what_it_shows() {
         for chapter in [CLAIMS, FERKO, FAMILIES].iter().flat_map(|document| document.chapters) {
-            let Chapter { name, found, enlarged } = chapter;
+            let Chapter { name, found, enlarged, plots } = chapter;
             let path = root().join(format!("experiments/{name}.toml"));
             let experiment = std::fs::read_to_string(path).expect("an experiment");
             let parts = experiment.split_once("[enlarged]\n").map_or("", |(_, rest)| rest);
             let parts = parts.split("\n[").next().unwrap_or_default();
             for world in *enlarged {
                 assert!(parts.contains(&format!("{world} = [")), "{name} does not enlarge {world}");
+            }
+            let drawn = experiment.matches("\n[[plots]]\n").count();
+            assert!(plots.len() <= drawn, "{name} draws {drawn} plots, and shows {plots:?}");
+            for plot in *plots {
+                assert!(found.contains(&format!("](pictures/{plot})")), "{name} does not show {plot}");
             }
             assert!(found.split_whitespace().count() > 20, "{name} says nothing of what was found");
         }
@@ -217,8 +242,9 @@ mod tests {
         ]);
         let folder = Folder::new("whole", &json!({ "title": "Four & one", "claims": claims }));
         let reports = Reports::of(&[], None, Some(&folder.0)).expect("reports");
-        let text =
-            Chapter { name: "whole", found: "Four are.\n", enlarged: &[] }.text(&reports).expect("a chapter");
+        let text = Chapter { name: "whole", found: "Four are.\n", enlarged: &[], plots: &[] }
+            .text(&reports)
+            .expect("a chapter");
         assert_eq!(
             text,
             "\n## Four & one\n\n`experiments/whole.toml`\n\nFour are.\n\n\n**Four are better.** — holds\n\n| world |\n\
@@ -231,7 +257,7 @@ mod tests {
         let folder = Folder::new("part", &json!({ "title": "Only a title" }));
         let reports = Reports::of(&[], None, Some(&folder.0)).expect("reports");
         let why = |name: &'static str| {
-            let chapter = Chapter { name, found: "", enlarged: &[] };
+            let chapter = Chapter { name, found: "", enlarged: &[], plots: &[] };
             format!("{:#}", chapter.text(&reports).expect_err("no chapter"))
         };
         assert!(why("part").contains("the verdicts of part lack a claim"), "{}", why("part"));

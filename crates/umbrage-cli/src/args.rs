@@ -92,6 +92,9 @@ pub struct TimeArgs {
     /// Which of the file's animations plays, by name or by number from 0, or `none`; the first where it is not given
     #[arg(long, value_name = "NAME|N|none")]
     pub animation: Option<String>,
+    /// Let suns go once around in so many seconds, from where they are at time 0; without it they stand
+    #[arg(long, value_name = "S", value_parser = parse::day, allow_negative_numbers = true)]
+    pub day: Option<f32>,
 }
 
 /// Which world, from where, lit how.
@@ -159,8 +162,9 @@ pub struct LookArgs {
     #[arg(long)]
     pub no_haze: bool,
     /// A picture of everything around, which lights the scene and is seen behind it: equirectangular, .hdr (or a .png or
-    /// .jpg), its middle along -Z
-    #[arg(long, value_name = "FILE.hdr")]
+    /// .jpg), its middle along -Z. Or a cube of six faces: a .ktx2, or a folder of pictures whose names end in px, nx, py, ny,
+    /// pz and nz, with pz along -Z and px along +X
+    #[arg(long, value_name = "FILE|FOLDER")]
     pub environment: Option<PathBuf>,
 }
 

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use umbrage_lab::{LabError, Shot};
 use umbrage_render::{Frame, Show};
-use umbrage_scene::{Camera, Environment, Lens, Light, NoSuchName, Pose, Scene, Shining, load_environment};
+use umbrage_scene::{
+    Camera, Environment, Lens, Light, Motion, NoSuchName, Pose, Scene, Shining, load_environment,
+};
 
 use crate::args::{CastArgs, LookArgs, TimeArgs, WorldArgs};
 use crate::failure::{Failure, Outcome};
@@ -27,8 +29,11 @@ pub fn open(args: &WorldArgs) -> Outcome<Scene> {
     Ok(scene)
 }
 
-/// Lets the animation play that the command line wants.
+/// Lets the animation play that the command line wants, and suns go around where it wants that.
 pub fn play(scene: &mut Scene, when: &TimeArgs) -> Outcome {
+    if let Some(seconds) = when.day {
+        scene.let_suns_go_around(seconds);
+    }
     let Some(wanted) = &when.animation else {
         return Ok(());
     };
@@ -113,7 +118,8 @@ fn lights(args: &WorldArgs, scene: &Scene, camera: &Camera, pose: &Pose) -> Outc
     if let Some(direction) = args.sun {
         // It is refused here, by the words that were given.
         umbrage::Light::directional(direction).map_err(Failure::usage)?;
-        return Ok(vec![Light::sun(direction, SUN_LUX)]);
+        let motion = args.when.day.map_or(Motion::Still, Motion::of_sun);
+        return Ok(vec![Light { motion, ..Light::sun(direction, SUN_LUX) }]);
     }
     let wanted: Vec<&Light> = match args.light[..] {
         [] => scene.lights.iter().collect(),

@@ -106,6 +106,29 @@ fn an_exported_world_plays_the_animation_that_was_chosen() {
 }
 
 #[test]
+fn suns_go_around_where_a_day_is_asked_for_and_stand_elsewhere() {
+    let folder = folder();
+    let baked = folder.path().join("baked.glb");
+    let sun_of = |world: &str, when: &[&str]| {
+        let args = ["worlds", "export", world, text(&baked), "--bake"];
+        stdout(&[&args[..], when].concat());
+        load(&baked).expect("a world").scene.lights[0].direction()
+    };
+    for world in ["primitives", "huge-chessboard"] {
+        let start = sun_of(world, &[]);
+        assert!(sun_of(world, &["--time", "60"]).abs_diff_eq(start, 1e-6), "{world}: it stands");
+        assert!(sun_of(world, &["--day", "600"]).abs_diff_eq(start, 1e-6), "{world}: at time 0");
+        let later = sun_of(world, &["--day", "600", "--time", "60"]);
+        assert!(later.angle_between(start) > 0.2, "{world}: a tenth of a day later, {start} and {later}");
+        assert!(sun_of(world, &["--day", "600", "--time", "600"]).abs_diff_eq(start, 1e-4), "{world}: a day");
+    }
+    let measure = ["measure", "primitives", "--size", "64x36", "--json", "-", "--day", "600"];
+    let [start, later] = ["0", "60"].map(|time| stdout(&[&measure[..], &["--time", time]].concat()));
+    assert!(start != later, "shadows are measured where the sun is then");
+    refused(&["plan", "primitives", "--day", "0"], 2, "wanted seconds, from 1 to 1e9", None);
+}
+
+#[test]
 fn pictures_at_two_times_differ_and_two_lengths_apart_do_not() {
     let folder = folder();
     let file = lifted(folder.path());

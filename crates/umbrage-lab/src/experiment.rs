@@ -117,11 +117,12 @@ pub struct Sweep {
     pub values: Vec<toml::Value>,
 }
 
-/// A plot has a point for each variant, or a line where the variant sweeps: the mean of all cameras and repeats.
+/// A plot has a point for each variant, or a line where the variant sweeps: the mean of all cameras and repeats. With
+/// `x = "world"` it has bars: for each world, one for each variant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plot {
-    /// The horizontal axis: the key of a figure in [`crate::figures`], or `sweep`.
+    /// The horizontal axis: the key of a figure in [`crate::figures`], `sweep`, or `world` for bars.
     pub x: String,
     /// The vertical axis: the key of a figure in [`crate::figures`].
     pub y: String,
@@ -134,6 +135,9 @@ pub struct Plot {
     /// Whether each world has a plot of its own; if not, the default, the plot shows the mean over all worlds.
     #[serde(default)]
     pub by_world: bool,
+    /// The names of the variants that the plot shows; all of them by default.
+    #[serde(default)]
+    pub variants: Vec<String>,
 }
 
 /// A claim of the source that can be checked: a figure of one variant is at most so many times that of another, in every
@@ -189,6 +193,13 @@ impl Experiment {
         let experiment = source.experiment()?;
         check::check(&source, &experiment, cameras)?;
         Ok(experiment)
+    }
+}
+
+impl Plot {
+    /// Returns whether the plot shows a variant.
+    pub fn shows(&self, variant: &Variant) -> bool {
+        self.variants.is_empty() || self.variants.contains(&variant.name)
     }
 }
 

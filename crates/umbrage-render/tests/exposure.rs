@@ -3,6 +3,7 @@
 mod common;
 
 use std::f32::consts::PI;
+use std::sync::Arc;
 
 use common::{PIXELS, from_above, gpu, plate};
 use glam::{Mat4, Vec3};
@@ -206,8 +207,9 @@ fn lamps_are_exposed_for_about_the_light_that_the_built_in_worlds_were_made_for(
     for world in worlds::ALL {
         let own = world.build(0);
         let scene = Scene { exposed_for: None, ..own.clone() };
-        let frame = Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [16, 9], Show::World)
-            .expect("a frame");
+        let pose = Arc::new(scene.pose(0.0));
+        let frame =
+            Frame::of(&scene.cameras[0], &scene.lights, &pose, [16, 9], Show::World).expect("a frame");
         let lux = metered_lux(&scene, &frame.lights);
         println!("{}: {lux:.2} lux", world.name);
         // Suns of 3 lux, less where they are coloured, and lamps that give 2.6 lux where it matters, to a stop and a half.

@@ -3,6 +3,7 @@
 //! `UPDATE_SNAPSHOTS=1 cargo test -p umbrage-render --test pictures` draws them anew; look at them before you keep them.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use image::GrayImage;
 use umbrage_render::umbrage::Settings;
@@ -24,8 +25,9 @@ const DIFFERENT: u8 = 24;
 fn draw(gpu: &Gpu, world: &str, show: Show) -> GrayImage {
     let scene = worlds::build(world, 0).expect("a built-in world");
     let (width, height) = (128, 72);
-    let frame = Frame::of(&scene.cameras[0], &scene.lights, &Default::default(), [width, height], show)
-        .expect("a good camera");
+    let pose = Arc::new(scene.pose(0.0));
+    let frame =
+        Frame::of(&scene.cameras[0], &scene.lights, &pose, [width, height], show).expect("a good camera");
     let mut renderer = Renderer::new(gpu, &scene, Settings::default()).expect("a renderer");
     let picture = renderer.render(&frame).expect("a frame").drawn.picture().expect("a picture");
     let grey = picture.rgba.as_chunks::<4>().0.iter().map(|[r, g, b, _]| {

@@ -2,11 +2,16 @@
 //!
 //! It is equirectangular: rows go from straight up to straight down, columns once around, and its middle lies ahead of a camera
 //! that looks along −Z. A Radiance HDR file holds luminance as it is; of other pictures white is 1 candela a square metre.
+//! The six pictures of a cube are made such a picture (`cube.rs`).
 
+mod cube;
+
+use std::f32::consts::{PI, TAU};
 use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
+use glam::Vec3;
 use image::{ColorType, DynamicImage, ImageError, ImageReader, Limits};
 
 use crate::error::{Fault, SceneError};
@@ -36,17 +41,35 @@ pub struct Environment {
     pub light: Vec<[f32; 3]>,
 }
 
-/// Reads an environment picture: Radiance HDR, or any picture that a texture may be.
+/// Reads an environment: an equirectangular picture, as Radiance HDR or any picture that a texture may be; the six faces of a
+/// cube texture as KTX2; or a folder with six square pictures, whose names end in `px`, `nx`, `py`, `ny`, `pz` and `nz`, or in
+/// `posx` … `negz`, or in `right`, `left`, `top`, `bottom`, `front` and `back`.
+///
+/// A cube's faces are as OpenGL has them: with `pz` ahead, which is along the world's −Z, `px` lies to the right, along +X.
 ///
 /// # Errors
-/// When the file cannot be read, is no such picture, or has more than 8192 × 4096 pixels.
+/// When a file cannot be read, is no such picture, or has more than 8192 × 4096 pixels; when a cube lacks a face, or its faces
+/// are no squares of one size.
 pub fn load_environment(path: &Path) -> Result<Environment, SceneError> {
-    let bytes = fs::read(path).map_err(|why| SceneError::read(why, path))?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    decode(&bytes, name).map_err(|fault| fault.in_file(path.display()))
+    if path.is_dir() {
+        return cube::of_folder(path, name);
+    }
+    let bytes = fs::read(path).map_err(|why| SceneError::read(why, path))?;
+    let read = if bytes.starts_with(&ktx2::MAGIC) { cube::of_ktx2 } else { decode };
+    read(&bytes, name).map_err(|fault| fault.in_file(path.display()))
 }
 
 fn decode(bytes: &[u8], name: String) -> Result<Environment, Fault> {
+    let mut environment = picture(bytes, name)?;
+    while environment.width > MOST_WIDTH {
+        environment = environment.halved();
+    }
+    Ok(environment)
+}
+
+/// A picture, as large as it is.
+fn picture(bytes: &[u8], name: String) -> Result<Environment, Fault> {
     let fault = |why: ImageError| Fault(format!("the environment {name:?} is not a readable picture, {why}"));
     let reader = || {
         let mut reader = ImageReader::new(Cursor::new(bytes));
@@ -62,24 +85,31 @@ fn decode(bytes: &[u8], name: String) -> Result<Environment, Fault> {
     }
     let picture = reader()?.decode().map_err(fault)?;
     let (width, height) = (picture.width(), picture.height());
-    let mut environment = Environment { name, width, height, light: light_of(picture) };
-    while environment.width > MOST_WIDTH {
-        environment = environment.halved();
-    }
-    Ok(environment)
+    Ok(Environment { name, width, height, light: light_of(picture) })
+}
+
+/// The light of an sRGB number, both 0 to 1.
+fn linear(s: f32) -> f32 {
+    if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
 }
 
 /// The light of every pixel.
 fn light_of(picture: DynamicImage) -> Vec<[f32; 3]> {
     let is_light = matches!(picture.color(), ColorType::Rgb32F | ColorType::Rgba32F);
     let light = |number: f32| if number > 0.0 { number.min(BRIGHTEST) } else { 0.0 };
-    let linear = |s: f32| if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
     let rgb = picture.into_rgb32f();
     let pixels = rgb.pixels().map(|pixel| pixel.0);
     pixels.map(|rgb| rgb.map(|number| light(if is_light { number } else { linear(number) }))).collect()
 }
 
 impl Environment {
+    /// Returns the unit direction, in world space, that a place of any environment picture shows, by its shares of the width and
+    /// of the height.
+    pub fn direction(across: f32, down: f32) -> Vec3 {
+        let (turn, drop) = ((across - 0.5) * TAU, down * PI);
+        Vec3::new(turn.sin() * drop.sin(), drop.cos(), -turn.cos() * drop.sin())
+    }
+
     /// Half as wide and high: the mean of four pixels each.
     #[must_use]
     pub fn halved(&self) -> Self {

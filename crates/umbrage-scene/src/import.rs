@@ -29,7 +29,9 @@ use std::path::Path;
 
 use self::files::Files;
 pub(crate) use self::gltf::{TRANSMISSION, UNLIT, VISIBILITY};
-pub(crate) use self::pictures::MAX_SIDE_PX;
+#[cfg(test)]
+pub(crate) use self::pictures::ktx_file;
+pub(crate) use self::pictures::{MAX_SIDE_PX, cube_faces};
 use self::progress::Progress;
 pub use self::progress::Step;
 pub(crate) use self::recentre::{FARTHEST_ORIGIN, would_move};

@@ -17,6 +17,7 @@ mod camera;
 mod caster_mesh;
 mod casting;
 mod curve;
+mod day;
 mod deformed_bounds;
 mod dice;
 mod environment;

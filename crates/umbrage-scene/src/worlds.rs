@@ -70,7 +70,7 @@ pub const ALL: &[World] = &[
     World {
         name: "orbit",
         source: "a course deck on shadow rendering",
-        summary: "basic solids, and a spot light that circles around them in 12 s",
+        summary: "basic solids that turn, and a spot light that moves to and fro around them on the deck's curve, in 24 s",
         build: orbit::build,
     },
     World {

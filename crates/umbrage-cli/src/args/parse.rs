@@ -19,6 +19,12 @@ pub fn distance(text: &str) -> Result<f32, String> {
     metres.ok_or_else(|| "wanted metres, 0 or more".to_owned())
 }
 
+/// How long a day is, seconds.
+pub fn day(text: &str) -> Result<f32, String> {
+    let seconds = text.parse().ok().filter(|seconds| (1.0..=1e9).contains(seconds));
+    seconds.ok_or_else(|| "wanted seconds, from 1 to 1e9".to_owned())
+}
+
 /// Degrees from 0 to 90.
 pub fn sun_angle(text: &str) -> Result<f64, String> {
     let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
@@ -91,6 +97,10 @@ mod tests {
         assert_eq!(distance("0.25"), Ok(0.25));
         for wrong in ["", "-1", "nan", "inf", "1e99", "near"] {
             assert!(distance(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!((day("1"), day("86400")), (Ok(1.0), Ok(86_400.0)));
+        for wrong in ["", "0", "0.5", "-600", "nan", "inf", "noon"] {
+            assert!(day(wrong).is_err(), "{wrong}");
         }
         assert_eq!(size("640x360"), Ok((640, 360)));
         for wrong in ["", "640", "0x5", "5x0", "-1x5", "axb"] {

@@ -299,14 +299,35 @@ fn check_figure(source: &Source<'_>, at: &[Step<'_>], figure: &str) -> Checked {
 }
 
 fn check_plot(source: &Source<'_>, i: usize, plot: &Plot, variants: &[Variant]) -> Checked {
-    let Plot { x, y, log_x: _, pareto: _, by_world: _ } = plot;
+    let Plot { x, y, log_x, pareto, by_world, variants: shown } = plot;
     let at = |key| [Key("plots"), Item(i), Key(key)];
-    if x != "sweep" {
-        check_figure(source, &at("x"), x)?;
-    } else if variants.iter().all(|variant| variant.sweep.is_none()) {
-        return Err(source.refusal(&at("x"), "wanted a variant that sweeps, but none does"));
+    match x.as_str() {
+        "sweep" if variants.iter().all(|variant| variant.sweep.is_none()) => {
+            return Err(source.refusal(&at("x"), "wanted a variant that sweeps, but none does"));
+        }
+        "sweep" => {}
+        "world" => {
+            let asked = [("log_x", log_x), ("pareto", pareto), ("by_world", by_world)];
+            if let Some((key, _)) = asked.into_iter().find(|(_, is_asked)| **is_asked) {
+                let wrong =
+                    format!("bars over worlds have no `{key}`: leave it out, or name a figure as `x`");
+                return Err(source.refusal(&at(key), wrong));
+            }
+            let sweeps = variants.iter().find(|variant| variant.sweep.is_some() && plot.shows(variant));
+            if let Some(Variant { name, .. }) = sweeps {
+                let wrong =
+                    format!("`{name}` sweeps, and a bar has one value: name other `variants` of the plot");
+                return Err(source.refusal(&at("x"), wrong));
+            }
+        }
+        _ => check_figure(source, &at("x"), x)?,
     }
-    check_figure(source, &at("y"), y)
+    check_figure(source, &at("y"), y)?;
+    let names: Vec<String> = variants.iter().map(|variant| variant.name.clone()).collect();
+    for (j, name) in shown.iter().enumerate() {
+        known(source, &[&at("variants")[..], &[Item(j)]].concat(), "variant", name, &names)?;
+    }
+    unique(source, &at("variants"), shown)
 }
 
 fn check_claim(source: &Source<'_>, i: usize, claim: &Claim, experiment: &Experiment) -> Checked {

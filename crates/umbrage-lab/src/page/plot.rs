@@ -14,7 +14,7 @@ use crate::tabulate::Group;
 use crate::{Experiment, LabError, Plot};
 
 use mark::Mark;
-use series::{Chart, chart};
+use series::{Chart, Shape, chart};
 
 /// A plot as the page shows it.
 pub(super) enum Drawing {
@@ -49,11 +49,14 @@ fn drawing(
     groups: &[&Group],
     world: Option<&str>,
 ) -> Result<Drawing, LabError> {
-    let across = if plot.x == "sweep" { None } else { Some(&plot.x) };
+    let across = if ["sweep", "world"].contains(&plot.x.as_str()) { None } else { Some(&plot.x) };
     if let Some(figure) = across.into_iter().chain([&plot.y]).find(|key| Figure::named(key).is_none()) {
         return Ok(Drawing::Unknown { figure: figure.clone() });
     }
-    let chart = chart(experiment, plot, groups);
+    let is_shown =
+        |group: &&&Group| experiment.variants.get(group.variant).is_some_and(|variant| plot.shows(variant));
+    let groups: Vec<&Group> = groups.iter().filter(is_shown).copied().collect();
+    let chart = chart(experiment, plot, &groups);
     let title = title(plot, &chart, world);
     if chart.series.is_empty() {
         return Ok(Drawing::Empty { title });
@@ -81,7 +84,7 @@ pub(super) fn section(experiment: &Experiment, drawings: &[Drawing]) -> Markup {
             h2 { "Plots" } "\n"
             p.meta {
                 "Means over cameras" @if is_mean_of_worlds { ", and over worlds where none is named" }
-                ". Bars: 95\u{202f}% intervals over repeats; of times, the 5th to 95th percentile of the frames."
+                ". Whiskers: 95\u{202f}% intervals over repeats; of times, the 5th to 95th percentile of the frames."
             } "\n"
             div.plots { "\n" @for drawing in drawings { (figure(drawing)) "\n" } } "\n"
         }
@@ -122,14 +125,15 @@ impl Drawing {
 
 fn legend(chart: &Chart) -> Markup {
     html! {
-        @for (i, series) in chart.series.iter().enumerate() {
+        // Bars have their names within the drawing.
+        @let series = chart.series.iter().filter(|series| !matches!(series.shape, Shape::Bars(_)));
+        @for (i, series) in series.enumerate() {
             @if i > 0 { " " }
             span {
-                @let mark = Mark::of(series.variant);
-                @if series.is_level() {
-                    i style={ "border-top:2px dashed " (mark.css()) } {}
+                @if matches!(series.shape, Shape::Level(_)) {
+                    i style={ "border-top:2px dashed " (Mark::of(series.variant).css()) } {}
                 } @else {
-                    (mark.html())
+                    (Mark::of(series.variant).html())
                 }
                 (Text(&series.name))
             }

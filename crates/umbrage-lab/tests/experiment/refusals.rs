@@ -212,6 +212,12 @@ fn names_of_figures_and_variants_are_checked() {
     refused_with("name = \"by lambda\"", "name = \"one map\"", 24, "variants.name", "two variants");
     refused_with("name = \"by lambda\"", "name = \" \"", 24, "variants.name", "empty");
     refused_with("{ primitives =", "{ primitive =", 26, "variants.reported.primitive", "primitives, bunny");
+    let plotted = |with: &str| format!("x = \"world\"\nvariants = [\"one map\"]{with}");
+    assert!(read(GOOD.replace("x = \"sweep\"", &plotted(""))).is_ok());
+    refused_with("x = \"sweep\"", "x = \"world\"", 36, "plots.x", "`by lambda` sweeps");
+    refused_with("x = \"sweep\"", &plotted("\npareto = true"), 38, "plots.pareto", "have no `pareto`");
+    let other = "x = \"sweep\"\nvariants = [\"one mop\"]";
+    refused_with("x = \"sweep\"", other, 37, "plots.variants", "there are one map, by lambda");
     let without =
         GOOD.replace("[variants.sweep]\nkey = \"lambda\"\nvalues = [\n    0,\n    0.5,\n    1.0,\n]\n", "");
     refused(&without, 29, "plots.x", "sweeps");

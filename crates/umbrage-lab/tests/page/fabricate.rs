@@ -82,7 +82,7 @@ pub fn experiment() -> Experiment {
 
 /// A plot.
 pub fn plot(x: &str, y: &str, log_x: bool, pareto: bool, by_world: bool) -> Plot {
-    Plot { x: x.to_owned(), y: y.to_owned(), log_x, pareto, by_world }
+    Plot { x: x.to_owned(), y: y.to_owned(), log_x, pareto, by_world, variants: vec![] }
 }
 
 /// A claim about mis-shadowed pixels, against the small map.

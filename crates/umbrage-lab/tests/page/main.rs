@@ -6,7 +6,7 @@ use fabricate::{claim, experiment, plot, rows, small};
 use umbrage_lab::page::report;
 use umbrage_lab::page::verdict::{Verdict, checks};
 use umbrage_lab::tabulate::groups;
-use umbrage_lab::{Experiment, Row};
+use umbrage_lab::{Experiment, Plot, Row};
 
 fn page(experiment: &Experiment, rows: &[Row]) -> String {
     report(experiment, "experiments/pssm.toml", rows).unwrap().html
@@ -59,6 +59,27 @@ fn odd() -> Experiment {
         plot("sweep", "flicker.flips", false, false, false),
     ];
     odd
+}
+
+#[test]
+fn bars_stand_over_worlds_one_for_each_variant_that_is_shown() {
+    let mut experiment = Experiment { pictures: false, ..experiment() };
+    let shown: Vec<String> = experiment.variants[..2].iter().map(|variant| variant.name.clone()).collect();
+    experiment.plots = vec![Plot { variants: shown.clone(), ..plot("world", "bytes", false, false, false) }];
+    let rows = rows(&experiment);
+    let report = report(&experiment, "bars", &rows).unwrap();
+    let [svg] = &report.plots[..] else { panic!("one plot") };
+    let rectangles = |fill: &str| svg.matches(&format!("fill=\"{fill}\" stroke=\"none\"")).count();
+    // A bar for each world, and the square beside the name.
+    assert_eq!([rectangles("#0072B2"), rectangles("#D55E00")], [experiment.worlds.len() + 1; 2], "{svg}");
+    assert!(experiment.worlds.iter().all(|world| svg.contains(world.as_str())), "{svg}");
+    for variant in &experiment.variants {
+        assert_eq!(svg.contains(&variant.name), shown.contains(&variant.name), "{svg}");
+    }
+    assert_balanced(&report.html);
+    // A world without the figure has no bars, and what has none anywhere is said.
+    experiment.plots[0].y = "flicker.flips".to_owned();
+    assert!(page(&experiment, &rows).contains("nothing to plot"));
 }
 
 #[test]
@@ -215,6 +236,7 @@ fn empty_and_odd_experiments_make_whole_pages() {
         plot("bytes", "error.bias", true, true, false),
         plot("truth.pixels", "bytes", false, false, false),
         plot("sweep", "flicker.flips", true, false, false),
+        plot("world", "error.bias", false, false, false),
     ];
     odd.repeats = 1;
     for values in [

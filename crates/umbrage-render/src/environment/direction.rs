@@ -5,12 +5,11 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::Vec3;
+use umbrage_scene::Environment;
 
 /// The unit direction of the middle of a pixel.
 pub(super) fn of_pixel(x: u32, y: u32, [width, height]: [u32; 2]) -> Vec3 {
-    let turn = ((x as f32 + 0.5) / width as f32 - 0.5) * TAU;
-    let drop = (y as f32 + 0.5) / height as f32 * PI;
-    Vec3::new(turn.sin() * drop.sin(), drop.cos(), -turn.cos() * drop.sin())
+    Environment::direction((x as f32 + 0.5) / width as f32, (y as f32 + 0.5) / height as f32)
 }
 
 /// The pixel that shows a unit direction.

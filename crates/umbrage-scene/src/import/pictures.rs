@@ -10,6 +10,8 @@ use std::io::Cursor;
 
 use image::{ImageFormat, ImageReader, Limits};
 
+#[cfg(test)]
+pub(crate) use ktx::file as ktx_file;
 pub(super) use resize::resized;
 
 use super::budget::Budget;
@@ -29,7 +31,7 @@ const KINDS: &str = "a readable PNG, JPEG, WebP, BMP, TGA or KTX2";
 /// that cannot be told by their content.
 pub(super) fn decode(bytes: &[u8], name: String, hint: &str, budget: &mut Budget) -> Result<Texture, Fault> {
     if bytes.starts_with(&ktx2::MAGIC) {
-        return ktx::decode(bytes, name, budget);
+        return ktx::decode(bytes, &name, budget);
     }
     let fault = |why: &dyn std::fmt::Display| Fault(format!("texture {name:?} is not {KINDS}, {why}"));
     let format = format(bytes, hint).ok_or_else(|| fault(&"it begins like none of them"))?;
@@ -47,6 +49,18 @@ pub(super) fn decode(bytes: &[u8], name: String, hint: &str, budget: &mut Budget
     let picture = reader().decode().map_err(|why| fault(&why))?.into_rgba8();
     let (width, height) = picture.dimensions();
     Ok(Texture { name, width, height, rgba: picture.into_raw() })
+}
+
+/// Unpacks the six faces of a KTX2 cube that its environment calls `name`.
+pub(crate) fn cube_faces(bytes: &[u8], name: &str) -> Result<[Texture; 6], Fault> {
+    let faces = ktx::faces(bytes, name, usize::MAX, &mut Budget::new())?;
+    let count = faces.len();
+    faces.try_into().map_err(|_| {
+        let many = if count == 1 { "face" } else { "faces" };
+        Fault(format!(
+            "the environment {name:?} has {count} {many}, need the six of a cube or another kind of file"
+        ))
+    })
 }
 
 /// Takes room for a picture of that size, where it is not too large.

@@ -2,7 +2,9 @@ mod rigged;
 mod surveyed;
 mod views;
 
-use glam::{Mat4, Vec3};
+use std::f64::consts::PI;
+
+use glam::{DVec3, Mat4, Vec3};
 
 use super::*;
 use crate::{Lens, Light, LightKind, Pose};
@@ -12,8 +14,8 @@ type Row = (&'static str, usize, f32, usize, usize, [f32; 2]);
 
 const TABLE: [Row; 17] = [
     ("primitives", 1_300, 0.0016, 17, 0, [1.0, 80.0]),
-    // The lamp flies with the light.
-    ("orbit", 1_300, 0.0016, 8, 1, [1.0, 80.0]),
+    // The solids turn, and the lamp flies with the light.
+    ("orbit", 1_300, 0.0016, 8, 8, [1.0, 80.0]),
     ("bunny", 3_676, 0.0009, 1, 0, [0.5, 100.0]),
     ("tutorial-room", 4_714, 0.0016, 8, 0, [0.5, 100.0]),
     ("bias-court", 21_848, 0.001024, 17, 0, [0.2, 100.0]),
@@ -166,21 +168,32 @@ fn a_seed_names_one_world() {
 }
 
 #[test]
-fn the_light_of_orbit_looks_at_the_middle_and_is_back_after_twelve_seconds() {
-    let light = &orbit::build(0).lights[0];
-    for seconds in [0.0, 3.0, 7.5] {
-        let pose = light.world_from_light_in(&Pose::at(seconds));
+fn the_light_of_orbit_is_where_the_decks_formula_has_it_and_looks_at_the_middle() {
+    let scene = orbit::build(0);
+    let light = &scene.lights[0];
+    // Shares of the loop that are keys, and that are none.
+    for t in [0.0, 0.011, 1.0 / 12.0, 0.237, 0.5, 0.618, 0.8765, 1.0 - 1e-6] {
+        let pose = light.world_from_light_in(&scene.pose(t as f32 * orbit::LOOP_SECONDS));
         let (eye, along) = (pose.w_axis.truncate(), -pose.z_axis.truncate());
-        assert!((eye + along * eye.length()).length() < 1e-4, "from {eye} along {along}");
+        let (sin, cos) = ((6.0 * PI * t).sin(), (4.0 * PI * t).cos());
+        // A twentieth of the deck's (300 sin 6πt, 200, 100 cos 4πt + 250).
+        let deck = DVec3::new(15.0 * sin, 10.0, 5.0 * cos + 12.5).as_vec3();
+        assert!(eye.distance(deck) < 1e-4, "{t}: {eye}, not {deck}");
+        assert!((eye + along * eye.length()).length() < 1e-3, "{t}: from {eye} along {along}");
     }
-    assert!(
-        light.world_from_light_in(&Pose::at(12.0)).abs_diff_eq(light.world_from_light, 1e-4),
-        "a whole turn"
-    );
-    assert!(
-        !light.world_from_light_in(&Pose::at(6.0)).abs_diff_eq(light.world_from_light, 1.0),
-        "half a turn"
-    );
+    let start = light.world_from_light_in(&scene.pose(0.0));
+    assert!(start.abs_diff_eq(light.world_from_light, 1e-6), "it stands where it begins");
+    let end = light.world_from_light_in(&scene.pose(orbit::LOOP_SECONDS));
+    assert!(end.abs_diff_eq(start, 1e-4), "a whole loop");
+}
+
+#[test]
+fn the_solids_of_orbit_turn_twice_in_a_loop() {
+    let scene = orbit::build(0);
+    let solid = &scene.instances[1];
+    let at = |share: f32| solid.world_from_mesh_in(&Pose::at(share * orbit::LOOP_SECONDS));
+    assert!(at(0.5).abs_diff_eq(at(0.0), 1e-4), "720° at t = 1 are a whole turn at t = 1/2");
+    assert!(!at(0.25).abs_diff_eq(at(0.0), 0.5), "half a turn");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use crate::LabError;
 use crate::tabulate::Mean;
 
 use super::axis::{Axis, Direction, Scale};
-use super::labels::{Box4, place};
+use super::labels::{Box4, place, text_width};
 use super::mark::{CIRCLE_RADIUS, Mark};
 use super::series::{Chart, Point, Series, Shape};
 
@@ -35,6 +35,12 @@ const FRONT: RGBColor = RGBColor(0x99, 0x99, 0x99);
 /// Half the ends of an error bar.
 const BAR_END_PX: i32 = 7;
 
+/// From one line of names above the plane to the next.
+const KEY_LINE_PX: i32 = 40;
+
+/// How much of the way from one world to the next its bars take.
+const BARS: f64 = 0.8;
+
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
@@ -49,9 +55,12 @@ pub(super) fn svg(chart: &Chart) -> Result<String, LabError> {
 
 fn draw(chart: &Chart, root: &Area) -> Drawn {
     let (x, y) = axes(chart);
+    let keys = keys(chart);
+    let key_lines = keys.last().map_or(0, |(_, [_, top])| top / KEY_LINE_PX + 1);
     let letters = y.ticks.iter().map(|(_, text)| text.chars().count()).max().unwrap_or(1);
     let mut context = ChartBuilder::on(root)
         .margin(20)
+        .margin_top(20 + key_lines * KEY_LINE_PX)
         .margin_right(50)
         .x_label_area_size(90)
         .y_label_area_size(76 + 15 * letters.min(12) as u32)
@@ -74,10 +83,35 @@ fn draw(chart: &Chart, root: &Area) -> Drawn {
     for series in &chart.series {
         lines(series, root, &pixel, &plane)?;
     }
-    for series in &chart.series {
+    for (i, series) in chart.series.iter().enumerate() {
         points(series, root, &pixel)?;
+        bars(chart, i, root, &pixel)?;
+    }
+    for (series, [left, top]) in keys {
+        let corners = [(left, top), (left + TEXT_PX, top + TEXT_PX)];
+        root.draw(&Rectangle::new(corners, bar_colour(series).filled()))?;
+        let name = chart.series.get(series).map(|series| series.name.clone()).unwrap_or_default();
+        root.draw(&Text::new(name, (left + TEXT_PX + 10, top), font()))?;
     }
     names(chart, root, &pixel, &plane)
+}
+
+/// Where the names of variants with bars stand above the plane, in as many lines as they need: the place of each variant's
+/// colour, by its index.
+fn keys(chart: &Chart) -> Vec<(usize, [i32; 2])> {
+    let bars = chart.series.iter().enumerate().filter(|(_, series)| matches!(series.shape, Shape::Bars(_)));
+    let (first, last) = (100, SIZE_PX.0 as i32 - 50);
+    let (mut left, mut top) = (first, 14);
+    let mut keys = Vec::new();
+    for (index, series) in bars {
+        let width = TEXT_PX + 10 + text_width(&series.name, TEXT_PX);
+        if left > first && left + width > last {
+            (left, top) = (first, top + KEY_LINE_PX);
+        }
+        keys.push((index, [left, top]));
+        left += width + 40;
+    }
+    keys
 }
 
 /// Axes that hold everything.
@@ -85,11 +119,15 @@ fn axes(chart: &Chart) -> (Axis, Axis) {
     let ends = |mean: &Mean| [mean.low, mean.value, mean.high];
     let points = || chart.series.iter().flat_map(Series::points);
     let across: Vec<f64> = points().flat_map(|point| ends(&point.x)).collect();
-    let levels = chart.series.iter().filter_map(|series| match &series.shape {
-        Shape::Level(mean) => Some(mean),
-        Shape::Point(_) | Shape::Line(_) => None,
-    });
-    let up: Vec<f64> = points().map(|point| &point.y).chain(levels).flat_map(ends).collect();
+    let mut up: Vec<f64> = points().flat_map(|point| ends(&point.y)).collect();
+    for series in &chart.series {
+        match &series.shape {
+            Shape::Level(mean) => up.extend(ends(mean)),
+            // They begin at 0.
+            Shape::Bars(bars) => up.extend(bars.iter().flat_map(|(_, mean)| ends(mean)).chain([0.0])),
+            Shape::Point(_) | Shape::Line(_) => {}
+        }
+    }
     let mut swept: Vec<f64> =
         points().filter(|point| point.x.low == point.x.high).map(|p| p.x.value).collect();
     swept.sort_by(f64::total_cmp);
@@ -108,6 +146,12 @@ fn colour(series: &Series) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
+/// The colour of bars by their index in the plot: few variants are shown as bars, and each has a colour of its own.
+fn bar_colour(index: usize) -> RGBColor {
+    let [red, green, blue] = Mark::of(index).colour;
+    RGBColor(red, green, blue)
+}
+
 fn front(chart: &Chart, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2]) -> Drawn {
     let points: Vec<(i32, i32)> = chart.front.iter().map(|[x, y]| pixel(*x, *y).into()).collect();
     root.draw(&PathElement::new(points, FRONT.stroke_width(5)))
@@ -117,7 +161,7 @@ fn front(chart: &Chart, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2]) -> D
 fn lines(series: &Series, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2], plane: &Box4) -> Drawn {
     let style = colour(series).stroke_width(4);
     match &series.shape {
-        Shape::Point(_) => Ok(()),
+        Shape::Point(_) | Shape::Bars(_) => Ok(()),
         Shape::Line(points) => {
             let path: Vec<(i32, i32)> = points.iter().map(|p| pixel(p.x.value, p.y.value).into()).collect();
             root.draw(&PathElement::new(path, style))
@@ -148,6 +192,23 @@ fn points(series: &Series, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2]) -
         } else {
             let corners: Vec<(i32, i32)> = corners.iter().map(|(dx, dy)| (left + dx, top + dy)).collect();
             root.draw(&Polygon::new(corners, colour.filled()))?;
+        }
+    }
+    Ok(())
+}
+
+/// The bars of a variant, beside those of the others, with their error bars.
+fn bars(chart: &Chart, index: usize, root: &Area, pixel: &impl Fn(f64, f64) -> [i32; 2]) -> Drawn {
+    let Some(Shape::Bars(bars)) = chart.series.get(index).map(|series| &series.shape) else { return Ok(()) };
+    let width = BARS / chart.series.len() as f64;
+    for (world, mean) in bars {
+        let left = *world as f64 - 0.5 * BARS + index as f64 * width;
+        // A little of the plane is left between bars.
+        let corners = [pixel(left + 0.05 * width, 0.0), pixel(left + 0.95 * width, mean.value)];
+        root.draw(&Rectangle::new(corners.map(<(i32, i32)>::from), bar_colour(index).filled()))?;
+        let ends = [mean.low, mean.high].map(|end| pixel(left + 0.5 * width, end));
+        if ends[0] != ends[1] {
+            bar(root, ends[0], ends[1], (BAR_END_PX, 0), INK.stroke_width(2))?;
         }
     }
     Ok(())

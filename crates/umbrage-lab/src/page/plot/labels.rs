@@ -28,6 +28,11 @@ const LETTER_WIDTH: f64 = 0.56;
 /// Between a point's middle and its label, pixels.
 const GAP_PX: i32 = 16;
 
+/// About how wide a text is whose letters are so high, pixels.
+pub(super) fn text_width(text: &str, height: i32) -> i32 {
+    (text.chars().count() as f64 * LETTER_WIDTH * f64::from(height)).ceil() as i32
+}
+
 /// A label's upper left corner: right of its point, above, below or left of it, the first that is within `page` and touches
 /// nothing of `taken`, to which the label is added. `None` where there is no room: the legend names the point then.
 pub(super) fn place(
@@ -37,7 +42,7 @@ pub(super) fn place(
     page: &Box4,
     taken: &mut Vec<Box4>,
 ) -> Option<[i32; 2]> {
-    let width = (text.chars().count() as f64 * LETTER_WIDTH * f64::from(height)).ceil() as i32;
+    let width = text_width(text, height);
     let (centred, raised) = (x - width / 2, y - height / 2);
     let corners = [
         [x + GAP_PX, raised],

@@ -27,6 +27,8 @@ pub(super) enum Shape {
     Line(Vec<Point>),
     /// The same height everywhere, of a variant that does not sweep.
     Level(Mean),
+    /// A bar from 0 for each world that has the figure: the world's index, and how high the bar is.
+    Bars(Vec<(usize, Mean)>),
 }
 
 /// A variant in a plot.
@@ -50,16 +52,12 @@ pub(super) struct Chart {
 }
 
 impl Series {
-    pub(super) fn is_level(&self) -> bool {
-        matches!(self.shape, Shape::Level(_))
-    }
-
-    /// Its points; none of a level.
+    /// Its points; none of a level or of bars.
     pub(super) fn points(&self) -> &[Point] {
         match &self.shape {
             Shape::Point(point) => std::slice::from_ref(point),
             Shape::Line(points) => points,
-            Shape::Level(_) => &[],
+            Shape::Level(_) | Shape::Bars(_) => &[],
         }
     }
 }
@@ -72,6 +70,10 @@ pub(super) fn chart(experiment: &Experiment, plot: &Plot, groups: &[&Group]) -> 
         (Some(x), Some(y)) => {
             let scale = if plot.log_x { Scale::Logarithmic } else { Scale::Linear };
             (x.heading(), scale, against_figure(experiment, groups, x, y))
+        }
+        (None, Some(y)) if plot.x == "world" => {
+            let (worlds, series) = over_worlds(experiment, groups, y);
+            ("world".to_owned(), Scale::Names(worlds), series)
         }
         (None, Some(y)) => against_sweep(experiment, plot, groups, y),
         (_, None) => (plot.x.clone(), Scale::Linear, Vec::new()),
@@ -162,6 +164,31 @@ fn against_sweep(
         }
     }
     (keys.join(" or "), scale, series)
+}
+
+/// The worlds of some groups in their order, and each variant's bars over them.
+fn over_worlds(experiment: &Experiment, groups: &[&Group], y: &Figure) -> (Vec<String>, Vec<Series>) {
+    let mut worlds: Vec<&str> = Vec::new();
+    for group in groups {
+        if !worlds.contains(&group.world) {
+            worlds.push(group.world);
+        }
+    }
+    let bars = |index: usize| {
+        let bar = |(place, world): (usize, &&str)| {
+            let of = |group: &&&Group| group.variant == index && group.world == *world;
+            Some((place, mean(&groups.iter().filter(of).copied().collect::<Vec<_>>(), y)?))
+        };
+        worlds.iter().enumerate().filter_map(bar).collect::<Vec<_>>()
+    };
+    let series = variants_of(experiment, groups).into_iter().filter_map(|(index, variant)| {
+        let bars = bars(index);
+        let is_empty = bars.is_empty();
+        let series = Series { variant: index, name: variant.name.clone(), shape: Shape::Bars(bars) };
+        (!is_empty).then_some(series)
+    });
+    let series = series.collect();
+    (worlds.into_iter().map(str::to_owned).collect(), series)
 }
 
 /// Numbers have their place; anything else stands in the order that it is given in.

@@ -1,4 +1,4 @@
-//! KTX2 pictures: the largest level of the first layer and face, unpacked to RGBA.
+//! KTX2 pictures: the largest level of the first layer, one face of it or all of a cube, unpacked to RGBA.
 //!
 //! Source: the KTX File Format Specification, version 2.0. Block formats are unpacked by `texture2ddecoder`, and Zstandard
 //! by `ruzstd`. Not read are pictures packed with Basis Universal, those of floats, and ASTC: its decoder panics on blocks
@@ -25,12 +25,24 @@ enum Layout {
     Blocks { width: u32, height: u32, bytes: usize, unpack: Unpack },
 }
 
-/// Unpacks a KTX2 file that the scene calls `name`.
-pub(super) fn decode(bytes: &[u8], name: String, budget: &mut Budget) -> Result<Texture, Fault> {
+/// Unpacks the first face of a KTX2 file that the scene calls `name`.
+pub(super) fn decode(bytes: &[u8], name: &str, budget: &mut Budget) -> Result<Texture, Fault> {
+    let mut faces = faces(bytes, name, 1, budget)?;
+    faces.pop().ok_or_else(|| Fault(format!("texture {name:?} has no faces")))
+}
+
+/// Unpacks as many faces of a KTX2 file as there are, or are wanted.
+pub(super) fn faces(
+    bytes: &[u8],
+    name: &str,
+    wanted: usize,
+    budget: &mut Budget,
+) -> Result<Vec<Texture>, Fault> {
     let fault = |why: String| Fault(format!("texture {name:?} is a KTX2 picture that is not read, {why}"));
     let file = Reader::new(bytes).map_err(|why| fault(why.to_string()))?;
-    let Header { format, pixel_width, pixel_height, pixel_depth, supercompression_scheme, .. } =
-        file.header();
+    let Header {
+        format, pixel_width, pixel_height, pixel_depth, face_count, supercompression_scheme, ..
+    } = file.header();
     let layout = match format {
         Some(format) => layout(format).ok_or_else(|| fault(format!("its format is {format:?}")))?,
         None => {
@@ -43,9 +55,14 @@ pub(super) fn decode(bytes: &[u8], name: String, budget: &mut Budget) -> Result<
         return Err(fault(format!("it is {pixel_depth} pixels deep")));
     }
     let (width, height) = (pixel_width, pixel_height.max(1));
-    take(&name, width, height, budget)?;
+    // There are 1 or 6 of them, whatever a file says.
+    let count = wanted.min(face_count.min(6) as usize);
+    for _ in 0..count {
+        take(name, width, height, budget)?;
+    }
     let level = file.levels().next().ok_or_else(|| fault("it has no levels".to_owned()))?;
-    let need = layout.bytes(width, height);
+    let of_one = layout.bytes(width, height);
+    let need = count * of_one;
     let unpacked;
     let data = match supercompression_scheme {
         None => level.data,
@@ -58,8 +75,11 @@ pub(super) fn decode(bytes: &[u8], name: String, budget: &mut Budget) -> Result<
     let data = data
         .get(..need)
         .ok_or_else(|| fault(format!("its largest level has {} bytes, need {need}", data.len())))?;
-    let rgba = layout.rgba(data, width as usize, height as usize).map_err(|why| fault(why.to_owned()))?;
-    Ok(Texture { name, width, height, rgba })
+    let face = |data: &[u8]| {
+        let rgba = layout.rgba(data, width as usize, height as usize).map_err(|why| fault(why.to_owned()))?;
+        Ok(Texture { name: name.to_owned(), width, height, rgba })
+    };
+    data.chunks_exact(of_one).map(face).collect()
 }
 
 /// At most `need` bytes of what was packed.
@@ -140,3 +160,5 @@ fn layout(format: Format) -> Option<Layout> {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+pub(crate) use tests::file;
