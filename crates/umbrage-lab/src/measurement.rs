@@ -84,7 +84,7 @@ impl Measurement {
 pub struct MadeReady {
     /// The time that it took, in seconds.
     pub seconds: f64,
-    /// The number of casters that the family leaves to maps.
+    /// The number of casters that the family leaves to maps, in whole or in part.
     pub left: usize,
 }
 

@@ -1,7 +1,6 @@
 //! How the shadows of a picture are made, where that is not by one set of shadow maps: by maps for many points of a light, or by
 //! another family of shadows with maps for what that leaves.
 
-use std::collections::HashSet;
 use std::fmt::Debug;
 use std::path::Path;
 
@@ -83,11 +82,7 @@ impl OfFamily {
         let start = Instant::now();
         let rival = family.ready_in(gpu, scene, folder, tell)?;
         let seconds = start.elapsed().as_secs_f64();
-        let numbers: HashSet<usize> = rival.left().iter().map(|left| left.instance).collect();
-        let mut of_left = scene.clone();
-        for (number, instance) in of_left.instances.iter_mut().enumerate() {
-            instance.casts &= numbers.contains(&number);
-        }
+        let [_, of_left] = Left::split(scene, rival.left());
         let is_needed = of_left.instances.iter().any(|instance| instance.casts);
         let left = is_needed.then(|| Renderer::new(gpu, &of_left, Default::default())).transpose()?;
         Ok(Self { rival, left, asks_maps: false, seconds })

@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use umbrage_judge::{Eye, Pixel, Tally, Truth, Verdict, World};
 use umbrage_render::Gpu;
-use umbrage_rivals::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Rival as _, Seen, View};
+use umbrage_rivals::{BakeProgress, BakeStep, Left, LightMapOptions, LightMaps, Rival as _, Seen, View};
 use umbrage_scene::{Light, Scene, worlds};
 
 type Failure = Box<dyn std::error::Error>;
@@ -83,8 +83,7 @@ fn brightest(scene: &Scene, count: usize) -> Vec<Light> {
 
 /// Says how many of the judged pixels that light maps know are wrong, and returns what is true of the first light's.
 fn judge(scene: &Scene, maps: &LightMaps, view: &View<'_>, seen: &Seen) -> Vec<Pixel> {
-    let mut still = scene.clone();
-    maps.left().iter().for_each(|left| still.instances[left.instance].casts = false);
+    let [still, _] = Left::split(scene, maps.left());
     let world = World::new(&still, view.pose);
     let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
     let mut first = None;

@@ -85,8 +85,7 @@ fn judge(
     seen: &Seen,
     pictures: Option<&str>,
 ) -> Result<(), Box<dyn Error>> {
-    let mut served = scene.clone();
-    left.iter().for_each(|left| served.instances[left.instance].casts = false);
+    let [served, _] = Left::split(scene, left);
     let world = World::new(&served, view.pose);
     let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
     for (light, seen) in view.lights.iter().zip(&seen.visibility) {

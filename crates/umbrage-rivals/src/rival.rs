@@ -6,6 +6,7 @@ use std::sync::Arc;
 use umbrage_scene::{Camera, Light, Pose};
 
 use crate::error::RivalError;
+use crate::left::Left;
 
 /// A view is a picture whose shadows are asked for.
 #[derive(Clone, Debug)]
@@ -30,18 +31,9 @@ pub struct Seen {
     pub milliseconds: f64,
 }
 
-/// A caster that a family cannot draw.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Left {
-    /// The number of the instance in the scene.
-    pub instance: usize,
-    /// Why it is left, as the end of a sentence: "its mesh is open".
-    pub why: String,
-}
-
 /// A rival is a family of shadows, ready for one scene.
 pub trait Rival: Debug {
-    /// The casters that the family cannot draw; their shadows are missing in what it says.
+    /// The casters that the family cannot draw, in whole or in part; their shadows are missing in what it says.
     fn left(&self) -> &[Left];
 
     /// The bytes that the family holds on the device for the shadows of this scene.
