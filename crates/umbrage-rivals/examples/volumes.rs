@@ -54,7 +54,7 @@ fn measure(
     let casting = scene.instances.iter().filter(|instance| instance.casts).count();
     let left = rival.left().to_vec();
     println!(
-        "{name}: {} of {casting} instances served; {} triangles; set up in {set_up:.2} s",
+        "{name}: {} of {casting} instances served whole; {} triangles; set up in {set_up:.2} s",
         casting - left.len(),
         scene.triangles(),
     );
