@@ -58,6 +58,7 @@ fn main() -> Result<(), Failure> {
     maps.see(&view)?;
     let seen = maps.see(&view)?;
     println!("a picture             {:.2} ms on {}", seen.milliseconds, gpu.adapter);
+    println!("to list it            {:.2} ms", seen.listing_milliseconds);
     let truth = judge(&scene, &maps, &view, &seen);
     if let Some(path) = word(4).filter(|path| *path != "-") {
         save(&seen, &truth, Path::new(path))?;

@@ -64,7 +64,13 @@ fn measure(
     let view = View { camera: &scene.cameras[0], lights: &lights, pose: &pose, size: SIZE };
     rival.see(&view)?;
     let seen = rival.see(&view)?;
-    println!("  {:.1} ms a picture of {} lights, {} bytes", seen.milliseconds, lights.len(), rival.bytes());
+    println!(
+        "  {:.1} ms a picture of {} lights, {:.1} ms to list it, {} bytes",
+        seen.milliseconds,
+        lights.len(),
+        seen.listing_milliseconds,
+        rival.bytes()
+    );
     judge(&scene, &left, &view, &seen, pictures)
 }
 

@@ -27,8 +27,10 @@ pub struct Seen {
     /// The visibility of every pixel, 0 to 1, rows from top to bottom, one list for each light; `None` where the family knows
     /// nothing of what the pixel shows. The sky is lit.
     pub visibility: Vec<Vec<Option<f32>>>,
-    /// The time that a picture's shadows took, in milliseconds: on the device where it has timestamps.
+    /// The time that the passes of a picture's shadows took, in milliseconds: on the device where it has timestamps.
     pub milliseconds: f64,
+    /// The time before that on the CPU, in milliseconds: to place what casts, to list what is drawn, and to hand it over.
+    pub listing_milliseconds: f64,
 }
 
 /// A rival is a family of shadows, ready for one scene.

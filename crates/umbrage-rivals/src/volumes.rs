@@ -22,9 +22,10 @@ mod placed;
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
+use web_time::Instant;
 
 use crate::buffers::Held;
-use crate::by_light::{self, ByLight, OfLight};
+use crate::by_light::{self, ByLight, OfLight, milliseconds_since};
 use crate::canvas::{Canvas, Painter};
 use crate::casters::Casters;
 use crate::error::RivalError;
@@ -83,6 +84,7 @@ impl ByLight for Volumes {
         view: &View<'_>,
         seen: &wgpu::TextureView,
     ) -> Result<OfLight, RivalError> {
+        let start = Instant::now();
         let Self { gpu, painter, canvas, passes, stopwatch, .. } = self;
         let canvas = match canvas.take().filter(|canvas| canvas.size == view.size) {
             Some(same) => canvas.insert(same),
@@ -98,9 +100,10 @@ impl ByLight for Volumes {
         let times = stopwatch.resolve(gpu, &mut encoder);
         let copy = canvas.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
+        let listing = milliseconds_since(start);
         let visibility = canvas.read(gpu, copy)?.into_iter().map(Some).collect();
-        let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
-        Ok((visibility, milliseconds))
+        let on_device = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
+        Ok(OfLight { visibility, listing, on_device })
     }
 }
 
