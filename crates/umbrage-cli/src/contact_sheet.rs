@@ -1,5 +1,5 @@
 //! A contact sheet of an experiment: the part of a world's picture that its page enlarges, a tile for each variant and one
-//! with exact shadows.
+//! with exact shadows, in a row of its own from each camera.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use umbrage_lab::{Experiment, Row, files};
 
 use crate::label::Sheet;
 
-/// Tiles a row.
+/// Tiles a row; more go on in the next.
 const ACROSS: u32 = 6;
 /// The longer side of a tile, pixels, or somewhat less: parts are enlarged by whole numbers.
 const SIDE: u32 = 224;
@@ -27,15 +27,15 @@ pub fn write(experiment: &Experiment, rows: &[Row], folder: &Path, name: &str) -
     let groups = groups(experiment, rows);
     for (world, part) in &experiment.enlarged {
         let of_world = groups.iter().filter(|group| group.world == world).collect::<Vec<_>>();
-        let tiles = of_world
+        let by_camera = of_world
             .chunk_by(|a, b| a.stands_beside(b))
-            .flat_map(|beside| tiles(experiment, beside, *part))
+            .map(|beside| tiles(experiment, beside, *part))
             .collect::<anyhow::Result<Vec<_>>>()
             .with_context(|| format!("a stored picture of {world} cannot be read"))?;
-        if tiles.is_empty() {
+        if by_camera.iter().all(Vec::is_empty) {
             continue;
         }
-        let sheet = compose(&tiles)?;
+        let sheet = compose(&by_camera)?;
         let stem = Path::new(world).file_stem().unwrap_or_default().to_string_lossy();
         let path = folder.join(format!("{name}-{stem}.png"));
         let mut png = Vec::new();
@@ -47,13 +47,12 @@ pub fn write(experiment: &Experiment, rows: &[Row], folder: &Path, name: &str) -
     Ok(())
 }
 
+/// A name, and its part of a picture.
+type Tile = (String, RgbaImage);
+
 /// A name and its part of a picture, as large as a tile, for each of some variants that kept a picture, and then for the exact
 /// picture that the first was judged by.
-fn tiles(
-    experiment: &Experiment,
-    beside: &[&Group<'_>],
-    part: [u32; 4],
-) -> Vec<anyhow::Result<(String, RgbaImage)>> {
+fn tiles(experiment: &Experiment, beside: &[&Group<'_>], part: [u32; 4]) -> anyhow::Result<Vec<Tile>> {
     let kept = |group: &Group<'_>| group.rows.iter().find_map(|row| row.outcome.pictures.clone());
     let kept: Vec<_> = beside.iter().filter_map(|group| Some((*group, kept(group)?))).collect();
     let named = |name: String, camera: &str| match experiment.cameras.len() {
@@ -91,16 +90,19 @@ fn in_few_colours(picture: &DynamicImage) -> DynamicImage {
     picture.into()
 }
 
-/// Tiles side by side, each under its name.
-fn compose(tiles: &[(String, RgbaImage)]) -> anyhow::Result<RgbaImage> {
-    let width = GAP + tiles.iter().map(|(_, tile)| tile.width()).max().unwrap_or(0);
-    let height = LINE + GAP + tiles.iter().map(|(_, tile)| tile.height()).max().unwrap_or(0);
-    let across = ACROSS.min(tiles.len() as u32);
-    let mut sheet = Sheet::new(GAP + across * width, GAP + (tiles.len() as u32).div_ceil(ACROSS) * height)?;
-    for ((name, tile), i) in tiles.iter().zip(0..) {
-        let (x, y) = (GAP + i % ACROSS * width, GAP + i / ACROSS * height);
-        sheet.write_within(name, x, y, (width - GAP, LETTERS));
-        sheet.place(tile, x, y + LINE, tile.width(), tile.height());
+/// Tiles side by side, each under its name, and in rows of their own by each camera.
+fn compose(by_camera: &[Vec<Tile>]) -> anyhow::Result<RgbaImage> {
+    let all = || by_camera.iter().flatten().map(|(_, tile)| tile);
+    let width = GAP + all().map(|tile| tile.width()).max().unwrap_or(0);
+    let height = LINE + GAP + all().map(|tile| tile.height()).max().unwrap_or(0);
+    let rows: Vec<&[Tile]> = by_camera.iter().flat_map(|tiles| tiles.chunks(ACROSS as usize)).collect();
+    let across = rows.iter().map(|row| row.len()).max().unwrap_or(0) as u32;
+    let mut sheet = Sheet::new(GAP + across * width, GAP + rows.len() as u32 * height)?;
+    for (row, y) in rows.iter().zip((GAP..).step_by(height as usize)) {
+        for ((name, tile), x) in row.iter().zip((GAP..).step_by(width as usize)) {
+            sheet.write_within(name, x, y, (width - GAP, LETTERS));
+            sheet.place(tile, x, y + LINE, tile.width(), tile.height());
+        }
     }
     Ok(sheet.image)
 }
@@ -127,9 +129,19 @@ mod tests {
     fn tiles_stand_in_rows_under_their_names() {
         let tile = |grey| (String::new(), RgbaImage::from_pixel(16, 8, image::Rgba([grey, grey, grey, 255])));
         let tiles: Vec<_> = (0..7).map(tile).collect();
-        let sheet = compose(&tiles).expect("a sheet");
+        let sheet = compose(&[tiles]).expect("a sheet");
         assert_eq!((sheet.width(), sheet.height()), (8 + 6 * 24, 8 + 2 * 38));
         let at = |x, y| sheet.get_pixel(x, y).0[0];
         assert_eq!((at(8 + 24, 8 + 22), at(8, 8 + 38 + 22), at(8 + 24, 8 + 38 + 22)), (1, 6, 255));
+    }
+
+    #[test]
+    fn each_camera_has_rows_of_its_own() {
+        let tile = |grey| (String::new(), RgbaImage::from_pixel(16, 8, image::Rgba([grey, grey, grey, 255])));
+        let by_camera: Vec<Vec<_>> = [2, 0, 3].map(|count| (0..count).map(tile).collect()).into();
+        let sheet = compose(&by_camera).expect("a sheet");
+        assert_eq!((sheet.width(), sheet.height()), (8 + 3 * 24, 8 + 2 * 38), "what has no tile has no row");
+        let at = |x, y| sheet.get_pixel(x, y).0[0];
+        assert_eq!((at(8 + 24, 8 + 22), at(8 + 48, 8 + 22), at(8 + 48, 8 + 38 + 22)), (1, 255, 2));
     }
 }

@@ -131,10 +131,28 @@ mod tests {
     fn a_box_that_no_map_holds_is_named() {
         let of = |light_box| Settings { fit: Fit::World, light_box: Some(light_box), ..Settings::default() };
         assert_eq!(of(LightBox::default()).validate(), Ok(()));
-        let flat = of(LightBox { half_width: 0.0, ..LightBox::default() }).validate();
-        assert!(
-            matches!(flat, Err(SettingsError::OutOfRange { key: "light_box.half_width", .. })),
-            "{flat:?}"
-        );
+        let beyond = [2e9, -2e9, f32::NAN, f32::INFINITY];
+        let none = [0.0, -1.0, 2e9, f32::NAN];
+        type Set = fn(&mut LightBox) -> &mut f32;
+        let fields: [(&str, Set, [f32; 4]); 7] = [
+            ("light_box.x", |it| &mut it.x, beyond),
+            ("light_box.y", |it| &mut it.y, beyond),
+            ("light_box.z", |it| &mut it.z, beyond),
+            ("light_box.half_width", |it| &mut it.half_width, none),
+            ("light_box.half_height", |it| &mut it.half_height, none),
+            ("light_box.near", |it| &mut it.near, beyond),
+            ("light_box.depth_range", |it| &mut it.depth_range, none),
+        ];
+        for (name, field, bad) in fields {
+            for value in bad {
+                let mut light_box = LightBox::default();
+                *field(&mut light_box) = value;
+                let refused = of(light_box).validate();
+                assert!(
+                    matches!(refused, Err(SettingsError::OutOfRange { key, .. }) if key == name),
+                    "{name} of {value}: {refused:?}"
+                );
+            }
+        }
     }
 }

@@ -174,7 +174,7 @@ impl ShadowPlan {
         let index = self.views.len();
         let tile = self.allocation.tiles()[index];
         let place = Place { index, light, split, tile, depths: served.start as f32..served.end as f32 };
-        let mut input = frame.input(fitted, light_frustum, tile.size);
+        let mut input = frame.input(fitted, light_frustum, &self.allocation.tiles_of(light)[..=split]);
         // What is flattened casts; what lies within a bulb does not.
         input.has_bulb = self.lights[light].near() > 0.0;
         input.flattens_casters &= !input.has_bulb;
@@ -257,10 +257,11 @@ struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// What one view is made from.
-    fn input(&self, depths: Range<f64>, light_frustum: LightFrustum, resolution: u32) -> ViewInput<'a> {
+    /// What one view is made from; its tile is the last of its light's up to it.
+    fn input(&self, depths: Range<f64>, light_frustum: LightFrustum, tiles: &[Tile]) -> ViewInput<'a> {
         let Self { camera, bounds, settings, reach, .. } = *self;
-        let asked = self.asked(depths.start, &light_frustum, resolution);
+        let asked = self.asked(depths.start, &light_frustum, tiles);
+        let resolution = tiles.last().map_or(0, |tile| tile.size);
         let flattens_casters = settings.flattens_casters();
         ViewInput {
             camera,
@@ -277,14 +278,15 @@ impl<'a> Frame<'a> {
     }
 
     /// Which receivers may look into a view whose slice starts at a view depth. Where a receiver asks the finest map that
-    /// covers it, all that lie nearer are covered by finer maps, unless these are not padded enough, or fade out.
-    fn asked(&self, slice_start: f64, light_frustum: &LightFrustum, resolution: u32) -> Asked {
+    /// covers it, all that lie nearer are covered by finer maps, unless one of these is not padded enough, or they fade out.
+    fn asked(&self, slice_start: f64, light_frustum: &LightFrustum, tiles: &[Tile]) -> Asked {
         let Self { settings, reach, shadowed, .. } = self;
         match settings.select {
             Select::Map if !light_frustum.is_face() => {
                 // What the camera's depth does not show, as glass, may be covered by no finer map.
                 let all_are_seen = settings.fit != Fit::Sample;
-                let nearer_are_held = settings.blend == 0.0 && reach.is_held_by(resolution) && all_are_seen;
+                let all_are_padded = tiles.iter().all(|tile| reach.is_held_by(tile.size));
+                let nearer_are_held = settings.blend == 0.0 && all_are_padded && all_are_seen;
                 Asked::Covered(if nearer_are_held { slice_start } else { shadowed.start }..shadowed.end)
             }
             Select::Map | Select::Depth | Select::ClipDepth => Asked::OwnSlice,

@@ -14,8 +14,8 @@ mod steady;
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use umbrage_core::{
-    Aabb, Bounds, Camera, Fit, Light, LightBox, PlanError, Projection, Select, Settings, Storage, plan,
-    view_of,
+    Aabb, Bounds, Camera, Filter, Fit, Light, LightBox, PlanError, Projection, Select, Settings, Storage,
+    plan, view_of,
 };
 
 use any::{camera, direction, fit_and_warp, point_in, seen, share, world};
@@ -56,11 +56,15 @@ proptest! {
     fn casters_are_drawn_into_the_map_that_their_receiver_asks(
         camera in camera(), light in direction(), (fit, warp) in fit_and_warp(), splits in 1u32..=9,
         blend in prop_oneof![Just(0.0f32), 0.0f32..0.5], size in prop_oneof![Just(16u32), Just(1024)],
+        falloff in prop_oneof![Just(1.0f32), Just(0.5), Just(2.0)], is_wide in any::<bool>(),
         shares in proptest::collection::vec((0usize..40, share(), direction(), 0.0f32..80.0), 40),
     ) {
         let bounds = world();
+        // As far as a filter of 16 texels may reach: more than such a map is padded by.
+        let filter = if is_wide { Filter::Pcf { size: 7 } } else { Settings::default().filter };
         let settings = Settings {
-            fit, warp, splits, blend, resolution: size, select: Select::Map, ..Settings::default()
+            fit, warp, splits, blend, resolution: size, resolution_falloff: falloff, filter,
+            select: Select::Map, ..Settings::default()
         };
         let direction = light.normalize_or_zero();
         let plan = plan(&camera, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
@@ -288,7 +292,7 @@ fn casters_within_the_filters_reach_of_a_receiver_are_kept() {
     let camera = camera.unwrap();
     let lights = [Light::directional(Vec3::NEG_Y).unwrap()];
     let bounds = Bounds::of_world(Vec3::splat(-200.0), Vec3::splat(200.0));
-    let filter = umbrage_core::Filter::Pcf { size: 9 };
+    let filter = Filter::Pcf { size: 9 };
     let settings = Settings { filter, select: Select::Depth, ..Settings::default() };
     let plan = plan(&camera, &lights, &bounds, &settings).unwrap();
     for view in plan.views() {

@@ -20,9 +20,24 @@ pub(crate) struct Judgement {
 }
 
 impl Judgement {
+    /// Judges the shadows of all lights of a plan: their truth and their visibility light by light.
+    pub fn by_light(
+        world: &World,
+        (plan, settings): (&ShadowPlan, &Settings),
+        traced: &[Traced],
+        smooth: Option<&Vec<Smooth>>,
+        visibility: &[Vec<f32>],
+    ) -> Vec<Self> {
+        let of_light = |(light, (visibility, traced)): (usize, (&Vec<f32>, &Traced))| {
+            let smooth = smooth.and_then(|smooth| smooth.get(light));
+            Self::new(world, plan, settings, light, traced, smooth, visibility)
+        };
+        visibility.iter().zip(traced).enumerate().map(of_light).collect()
+    }
+
     /// Judges light number `light` of the plan, by what its maps say of each pixel. `smooth` is a truth between lit and
     /// shadowed, for the figures that know such.
-    pub fn new(
+    fn new(
         world: &World,
         plan: &ShadowPlan,
         settings: &Settings,

@@ -4,9 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use umbrage::{Exact, Settings, ShadowPlan};
-use umbrage_judge::statistics::Spread;
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Frame, FrameTimes, Gpu, Picture, RayCasters, Rendered, Renderer, Show};
+use umbrage_render::{Frame, Gpu, Picture, RayCasters, Rendered, Renderer, Show};
 use umbrage_rivals::Family;
 use umbrage_scene::{Pose, Scene};
 
@@ -15,9 +14,10 @@ use crate::error::LabError;
 use crate::foreign::{Foreign, ForeignError};
 use crate::heat::heat_map;
 use crate::judgement::{Judgement, pooled, verdicts};
-use crate::measurement::{Measurement, Milliseconds};
+use crate::measurement::Measurement;
 use crate::shot::Shot;
 use crate::technique::{OfFamily, Technique};
+use crate::timed::Timed;
 use crate::truth_kind::TruthKind;
 use crate::truths::{Traced, Truths};
 
@@ -38,6 +38,13 @@ pub struct Judged {
     pub plan: ShadowPlan,
     /// The time that tracing took, with the BVH build where there was one.
     pub tracing: Duration,
+}
+
+/// A picture that was taken of a shot, and the plan that it was drawn with.
+struct Taken {
+    visibility: Vec<Vec<f32>>,
+    shaded: Picture,
+    plan: ShadowPlan,
 }
 
 /// A laboratory draws a scene, and judges what it drew.
@@ -93,45 +100,53 @@ impl<'a> Laboratory<'a> {
         frames: u32,
     ) -> Result<Judged, LabError> {
         self.use_settings(settings)?;
-        // What a picture shows does not depend on those before.
-        self.renderer.forget_looks();
-        let frame = shot.frame(Show::World)?;
-        let visibility = match &mut technique {
-            None => self.visibility(&frame)?,
-            Some(technique) => technique.visibility(&mut self.renderer, shot)?,
-        };
-        let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
-        let plan = drawn.plan().clone();
-        let shaded = match technique {
-            None => drawn.picture()?,
-            Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
-        };
-        drop(drawn);
-        let times = self.times(shot, &mut technique, frames)?;
-        let without = (0..frames)
-            .map(|_| Ok(self.renderer.render(&Frame { show: Show::Unshadowed, ..frame.clone() })?.times))
-            .collect::<Result<Vec<_>, LabError>>()?;
-
+        let Taken { visibility, shaded, plan } = self.take(shot, &mut technique)?;
+        let timed = self.timed(shot, &mut technique, frames)?;
         let start = web_time::Instant::now();
         let world = self.world_in(&shot.pose);
         let distance = shadow_distance(&plan);
         let traced = self.truths.hard(shot, distance, &world);
         let smooth = self.truths.smooth(shot, distance, &world, kind);
         let tracing = start.elapsed();
-        let judgements: Vec<Judgement> = visibility
-            .iter()
-            .zip(traced.iter())
-            .enumerate()
-            .map(|(light, (visibility, traced))| {
-                let smooth = smooth.as_ref().and_then(|smooth| smooth.get(light));
-                Judgement::new(&world, &plan, settings, light, traced, smooth, visibility)
-            })
-            .collect();
-        let parts: Vec<Part> = judgements.iter().filter_map(|judgement| judgement.part.clone()).collect();
-        let error = Error::pooled(&parts);
-        let true_picture = self.true_picture(&frame, &traced, &visibility, &shaded)?;
-        let flip = flip(&true_picture, &shaded).filter(|_| error.is_some());
-        let layout = plan.layout();
+
+        let by_light =
+            Judgement::by_light(&world, (&plan, settings), &traced, smooth.as_deref(), &visibility);
+        let true_picture = self.true_picture(&shot.frame(Show::World)?, &traced, &visibility, &shaded)?;
+        let figures = self.measured(shot, settings, technique.as_deref(), &by_light, &timed);
+        let flip = flip(&true_picture, &shaded).filter(|_| figures.error.is_some());
+        let measurement = Measurement { flip, ..figures };
+        let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };
+        Ok(Judged { measurement, visibility, shaded, true_picture, heat_map, plan, tracing })
+    }
+
+    /// Draws a picture with its shadows, and says what visibility they have.
+    fn take(&mut self, shot: &Shot, technique: &mut Option<&mut dyn Technique>) -> Result<Taken, LabError> {
+        // What a picture shows does not depend on those before.
+        self.renderer.forget_looks();
+        let frame = shot.frame(Show::World)?;
+        let visibility = match technique {
+            None => self.visibility(&frame)?,
+            Some(technique) => technique.visibility(&mut self.renderer, shot)?,
+        };
+        let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
+        let shaded = match technique {
+            None => drawn.picture()?,
+            Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
+        };
+        Ok(Taken { visibility, shaded, plan: drawn.plan().clone() })
+    }
+
+    /// The figures of a picture that was judged light by light, but for those that look at the picture itself.
+    fn measured(
+        &self,
+        shot: &Shot,
+        settings: &Settings,
+        technique: Option<&dyn Technique>,
+        by_light: &[Judgement],
+        timed: &Timed,
+    ) -> Measurement {
+        let shadows = self.renderer.shadows();
+        let parts: Vec<Part> = by_light.iter().filter_map(|judgement| judgement.part.clone()).collect();
         let measurement = Measurement {
             world: self.scene.name.clone(),
             triangles: self.scene.triangles(),
@@ -140,35 +155,25 @@ impl<'a> Laboratory<'a> {
             height: shot.height,
             adapter: self.gpu.adapter.to_string(),
             settings: settings.clone(),
-            texels: layout.texels(),
-            bytes: match &technique {
-                None => self.renderer.shadows().bytes(),
-                Some(technique) => technique.bytes(&self.renderer),
-            },
-            made_ready: technique.as_ref().and_then(|technique| technique.made_ready()),
-            truth: pooled(&judgements),
-            error,
+            texels: technique.map_or_else(|| shadows.layout().texels(), |it| it.texels(&self.renderer)),
+            bytes: technique.map_or_else(|| shadows.bytes(), |it| it.bytes(&self.renderer)),
+            made_ready: technique.and_then(|technique| technique.made_ready()),
+            truth: pooled(by_light),
+            error: Error::pooled(&parts),
             sub_pixel: None,
             sun: None,
             wide_sun: None,
-            aliasing: judgements.first().and_then(|of| of.aliasing.summary),
-            lights: shot.lights.iter().zip(&judgements).map(|(light, of)| of.measured(&light.name)).collect(),
-            flip,
-            splits: DepthBand::pooled(judgements.iter().map(|judgement| judgement.splits.as_slice())),
-            around_cuts: judgements
-                .first()
-                .map(|judgement| judgement.around_cuts.clone())
-                .unwrap_or_default(),
-            milliseconds: (!times.is_empty()).then(|| Milliseconds::of(&times)),
-            shadows_milliseconds: cost(&times, &without),
-            every_frame: times
-                .iter()
-                .map(|t| [t.plan, t.casters, t.shade, t.frame, t.filter, t.deform])
-                .collect(),
+            aliasing: by_light.first().and_then(|of| of.aliasing.summary),
+            lights: shot.lights.iter().zip(by_light).map(|(light, of)| of.measured(&light.name)).collect(),
+            flip: None,
+            splits: DepthBand::pooled(by_light.iter().map(|judgement| judgement.splits.as_slice())),
+            around_cuts: by_light.first().map(|judgement| judgement.around_cuts.clone()).unwrap_or_default(),
+            milliseconds: timed.stages(),
+            shadows_milliseconds: timed.shadows(),
+            every_frame: timed.every_frame(),
             flicker: None,
         };
-        let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };
-        Ok(Judged { measurement, visibility, shaded, true_picture, heat_map, plan, tracing })
+        if measurement.texels > 0 { measurement } else { measurement.without_maps() }
     }
 
     /// Compares a judged picture of a shot with a truth between lit and shadowed, all lights together. `None` for the hard
@@ -270,19 +275,26 @@ impl<'a> Laboratory<'a> {
         (0..frame.lights.len()).map(of_light).collect()
     }
 
-    /// Times of `frames` frames.
-    fn times(
+    /// Times of `frames` frames with shadows, and of as many without.
+    fn timed(
         &mut self,
         shot: &Shot,
         technique: &mut Option<&mut dyn Technique>,
         frames: u32,
-    ) -> Result<Vec<FrameTimes>, LabError> {
+    ) -> Result<Timed, LabError> {
         let frame = shot.frame(Show::World)?;
-        let once = |_| match technique {
-            None => Ok(self.renderer.render(&frame)?.times),
-            Some(technique) => technique.times(&mut self.renderer, shot),
-        };
-        (0..frames).map(once).collect()
+        let plain = Frame { show: Show::Unshadowed, ..frame.clone() };
+        let mut timed = Timed::default();
+        for _ in 0..frames {
+            timed.with_shadows.push(match technique {
+                None => self.renderer.render(&frame)?.times,
+                Some(technique) => technique.times(&mut self.renderer, shot)?,
+            });
+        }
+        for _ in 0..frames {
+            timed.without.push(self.renderer.render(&plain)?.times);
+        }
+        Ok(timed)
     }
 
     /// Takes a family of shadows, which is made ready for the scene when it is first asked for; give it back with
@@ -298,15 +310,6 @@ impl<'a> Laboratory<'a> {
     pub(crate) fn keep_family(&mut self, family: Family, ready: OfFamily) {
         self.families.push((family, ready));
     }
-}
-
-/// What shadows cost a frame in the median, milliseconds: all passes with them, less all without; `None` where nothing was timed.
-fn cost(with: &[FrameTimes], without: &[FrameTimes]) -> Option<f64> {
-    let median = |times: &[FrameTimes]| {
-        let passes = |t: &FrameTimes| t.plan + t.deform + t.casters + t.filter + t.shade;
-        (!times.is_empty()).then(|| Spread::of(times.iter().map(passes).collect()).median)
-    };
-    Some(median(with)? - median(without)?)
 }
 
 /// How deep shadows reach, metres.

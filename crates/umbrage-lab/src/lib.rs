@@ -32,6 +32,7 @@ mod run;
 mod shot;
 mod store;
 mod technique;
+mod timed;
 mod truth_kind;
 mod truths;
 

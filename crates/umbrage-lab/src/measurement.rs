@@ -27,7 +27,7 @@ pub struct Measurement {
     pub adapter: String,
     /// The settings that its shadows were made with.
     pub settings: Settings,
-    /// The number of texels of all shadow maps.
+    /// The number of texels of all shadow maps that shadows were read from: 0 where another family of shadows left nothing to maps.
     pub texels: u64,
     /// The bytes of all shadow maps, and of what is made of them to be read; with another family of shadows its bytes, and those
     /// of the maps that serve what it leaves.
@@ -47,11 +47,12 @@ pub struct Measurement {
     pub wide_sun: Option<Deviation>,
     /// The same figures light by light.
     pub lights: Vec<MeasuredLight>,
-    /// How large the texels of the first light look; absent where none is read.
+    /// How large the texels of the first light look; absent where none is read, as by a family that leaves nothing to maps.
     pub aliasing: Option<AliasingSummary>,
     /// The FLIP error between the shaded picture and the same picture with true shadows; absent where no pixel is judged.
     pub flip: Option<f64>,
-    /// The errors in each split's slice of depth. With `select = "map"` a finer view may have served part of it.
+    /// The errors in each split's slice of depth. With `select = "map"` a finer view may have served part of it. Empty where
+    /// nothing is read from maps.
     pub splits: Vec<DepthBand>,
     /// The errors just before and just after each cut between two splits: within a quarter of its depth.
     pub around_cuts: Vec<[DepthBand; 2]>,
@@ -69,6 +70,12 @@ pub struct Measurement {
 }
 
 impl Measurement {
+    /// The same of a picture none of whose shadows was read from a map: what is said of texels and of splits is left out.
+    pub(crate) fn without_maps(mut self) -> Self {
+        self.lights.iter_mut().for_each(|light| light.aliasing = None);
+        Self { texels: 0, aliasing: None, splits: Vec::new(), around_cuts: Vec::new(), ..self }
+    }
+
     /// Where the deviation from a truth is kept.
     pub(crate) fn deviation_mut(&mut self, truth: SmoothTruth) -> &mut Option<Deviation> {
         match truth {
@@ -84,7 +91,7 @@ impl Measurement {
 pub struct MadeReady {
     /// The time that it took, in seconds.
     pub seconds: f64,
-    /// The number of casters that the family leaves to maps.
+    /// The number of casters that the family leaves to maps, in whole or in part.
     pub left: usize,
 }
 
@@ -124,7 +131,7 @@ pub struct TruthCounts {
 /// The times of a frame's stages, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Milliseconds {
-    /// The time of planning, culling and upload, on the CPU.
+    /// The time of planning, culling and upload, on the CPU, and of what another family of shadows lists there.
     pub plan: Spread,
     /// The time of bending meshes by joints and morph targets, once for all views.
     #[serde(default)]

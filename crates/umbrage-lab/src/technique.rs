@@ -1,12 +1,11 @@
 //! How the shadows of a picture are made, where that is not by one set of shadow maps: by maps for many points of a light, or by
 //! another family of shadows with maps for what that leaves.
 
-use std::collections::HashSet;
 use std::fmt::Debug;
 use std::path::Path;
 
 use umbrage_render::{Area, FrameTimes, Gpu, Renderer, Show};
-use umbrage_rivals::{Family, Left, Rival, Tell, View};
+use umbrage_rivals::{Family, Left, Rival, Seen, Tell, View};
 use umbrage_scene::Scene;
 use web_time::Instant;
 
@@ -27,6 +26,9 @@ pub trait Technique: Debug {
     /// # Errors
     /// As [`Self::visibility`].
     fn times(&mut self, renderer: &mut Renderer, shot: &Shot) -> Result<FrameTimes, LabError>;
+
+    /// Returns the number of texels of the shadow maps that the technique reads from; 0 where it reads from none.
+    fn texels(&self, renderer: &Renderer) -> u64;
 
     /// Returns the bytes of all that the technique reads shadows from.
     fn bytes(&self, renderer: &Renderer) -> u64;
@@ -50,6 +52,10 @@ impl Technique for Area {
             times += renderer.area(&frame, light, *self)?.times;
         }
         Ok(times)
+    }
+
+    fn texels(&self, renderer: &Renderer) -> u64 {
+        renderer.shadows().layout().texels()
     }
 
     fn bytes(&self, renderer: &Renderer) -> u64 {
@@ -82,12 +88,12 @@ impl OfFamily {
     ) -> Result<Self, LabError> {
         let start = Instant::now();
         let rival = family.ready_in(gpu, scene, folder, tell)?;
-        let seconds = start.elapsed().as_secs_f64();
-        let numbers: HashSet<usize> = rival.left().iter().map(|left| left.instance).collect();
-        let mut of_left = scene.clone();
-        for (number, instance) in of_left.instances.iter_mut().enumerate() {
-            instance.casts &= numbers.contains(&number);
-        }
+        Self::of(gpu, scene, rival, start.elapsed().as_secs_f64())
+    }
+
+    /// A family that took some seconds to make ready, with maps for what it leaves.
+    fn of(gpu: &Gpu, scene: &Scene, rival: Box<dyn Rival>, seconds: f64) -> Result<Self, LabError> {
+        let [_, of_left] = Left::split(scene, rival.left());
         let is_needed = of_left.instances.iter().any(|instance| instance.casts);
         let left = is_needed.then(|| Renderer::new(gpu, &of_left, Default::default())).transpose()?;
         Ok(Self { rival, left, asks_maps: false, seconds })
@@ -96,6 +102,11 @@ impl OfFamily {
     /// Returns the casters that the family leaves to maps.
     pub fn left(&self) -> &[Left] {
         self.rival.left()
+    }
+
+    /// The renderers whose maps the last picture was read from.
+    fn maps<'a>(&'a self, renderer: &'a Renderer) -> impl Iterator<Item = &'a Renderer> {
+        [self.left.as_ref(), self.asks_maps.then_some(renderer)].into_iter().flatten()
     }
 
     /// The renderer of what is left, with the settings of another; `None` where nothing is.
@@ -135,7 +146,7 @@ impl Technique for OfFamily {
     }
 
     fn times(&mut self, renderer: &mut Renderer, shot: &Shot) -> Result<FrameTimes, LabError> {
-        let milliseconds = self.rival.see(&view(shot))?.milliseconds;
+        let Seen { milliseconds, listing_milliseconds, visibility: _ } = self.rival.see(&view(shot))?;
         let show = if self.asks_maps { Show::World } else { Show::Unshadowed };
         let mut times = renderer.render(&shot.frame(show)?)?.times;
         if let Some(left) = self.maps_of_left(renderer)? {
@@ -147,14 +158,18 @@ impl Technique for OfFamily {
             times.shade -= plain.shade;
             times.frame -= plain.frame;
         }
+        times.plan += listing_milliseconds;
         times.casters += milliseconds;
-        times.frame += milliseconds;
+        times.frame += listing_milliseconds + milliseconds;
         Ok(times)
     }
 
+    fn texels(&self, renderer: &Renderer) -> u64 {
+        self.maps(renderer).map(|maps| maps.shadows().layout().texels()).sum()
+    }
+
     fn bytes(&self, renderer: &Renderer) -> u64 {
-        let maps = [self.left.as_ref(), self.asks_maps.then_some(renderer)];
-        self.rival.bytes() + maps.into_iter().flatten().map(|maps| maps.shadows().bytes()).sum::<u64>()
+        self.rival.bytes() + self.maps(renderer).map(|maps| maps.shadows().bytes()).sum::<u64>()
     }
 
     fn made_ready(&self) -> Option<MadeReady> {
@@ -170,3 +185,6 @@ fn view(shot: &Shot) -> View<'_> {
 fn by_maps(renderer: &mut Renderer, shot: &Shot, light: usize) -> Result<Vec<f32>, LabError> {
     Ok(renderer.render(&shot.frame(Show::Visibility(light))?)?.drawn.picture()?.visibility())
 }
+
+#[cfg(test)]
+mod tests;

@@ -45,14 +45,14 @@ impl Gpu {
         Ok(Self { device, queue, adapter: Arc::new(description), counts: Arc::default() })
     }
 
-    /// Describes the device to request from an adapter: all that shadows profit from, timestamps, depths of 32 bits
-    /// with a stencil, and the adapter's own limits.
+    /// Describes the device to request from an adapter: all that shadows profit from, timestamps, blending of
+    /// 32-bit floats (which count shadow volumes), and the adapter's own limits.
     pub fn wanted_device(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         wgpu::DeviceDescriptor {
             label: Some("Gpu::device"),
             required_features: Capabilities::wanted_features(adapter)
                 | (adapter.features()
-                    & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::DEPTH32FLOAT_STENCIL8)),
+                    & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE)),
             required_limits: adapter.limits(),
             ..Default::default()
         }

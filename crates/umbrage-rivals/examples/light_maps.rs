@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use umbrage_judge::{Eye, Pixel, Tally, Truth, Verdict, World};
 use umbrage_render::Gpu;
-use umbrage_rivals::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Rival as _, Seen, View};
+use umbrage_rivals::{BakeProgress, BakeStep, Left, LightMapOptions, LightMaps, Rival as _, Seen, View};
 use umbrage_scene::{Light, Scene, worlds};
 
 type Failure = Box<dyn std::error::Error>;
@@ -58,6 +58,7 @@ fn main() -> Result<(), Failure> {
     maps.see(&view)?;
     let seen = maps.see(&view)?;
     println!("a picture             {:.2} ms on {}", seen.milliseconds, gpu.adapter);
+    println!("to list it            {:.2} ms", seen.listing_milliseconds);
     let truth = judge(&scene, &maps, &view, &seen);
     if let Some(path) = word(4).filter(|path| *path != "-") {
         save(&seen, &truth, Path::new(path))?;
@@ -83,8 +84,7 @@ fn brightest(scene: &Scene, count: usize) -> Vec<Light> {
 
 /// Says how many of the judged pixels that light maps know are wrong, and returns what is true of the first light's.
 fn judge(scene: &Scene, maps: &LightMaps, view: &View<'_>, seen: &Seen) -> Vec<Pixel> {
-    let mut still = scene.clone();
-    maps.left().iter().for_each(|left| still.instances[left.instance].casts = false);
+    let [still, _] = Left::split(scene, maps.left());
     let world = World::new(&still, view.pose);
     let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
     let mut first = None;

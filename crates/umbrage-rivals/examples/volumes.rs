@@ -54,7 +54,7 @@ fn measure(
     let casting = scene.instances.iter().filter(|instance| instance.casts).count();
     let left = rival.left().to_vec();
     println!(
-        "{name}: {} of {casting} instances served; {} triangles; set up in {set_up:.2} s",
+        "{name}: {} of {casting} instances served whole; {} triangles; set up in {set_up:.2} s",
         casting - left.len(),
         scene.triangles(),
     );
@@ -64,7 +64,13 @@ fn measure(
     let view = View { camera: &scene.cameras[0], lights: &lights, pose: &pose, size: SIZE };
     rival.see(&view)?;
     let seen = rival.see(&view)?;
-    println!("  {:.1} ms a picture of {} lights, {} bytes", seen.milliseconds, lights.len(), rival.bytes());
+    println!(
+        "  {:.1} ms a picture of {} lights, {:.1} ms to list it, {} bytes",
+        seen.milliseconds,
+        lights.len(),
+        seen.listing_milliseconds,
+        rival.bytes()
+    );
     judge(&scene, &left, &view, &seen, pictures)
 }
 
@@ -85,8 +91,7 @@ fn judge(
     seen: &Seen,
     pictures: Option<&str>,
 ) -> Result<(), Box<dyn Error>> {
-    let mut served = scene.clone();
-    left.iter().for_each(|left| served.instances[left.instance].casts = false);
+    let [served, _] = Left::split(scene, left);
     let world = World::new(&served, view.pose);
     let eye = Eye::new(view.camera, SIZE[0], SIZE[1]);
     for (light, seen) in view.lights.iter().zip(&seen.visibility) {

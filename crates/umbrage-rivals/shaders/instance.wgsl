@@ -17,8 +17,11 @@ struct Instance {
     flags: u32,
     /// The distance from the light, in the space of the mesh, nearer than which nothing casts.
     near: f32,
-    /// The camera in the space of the mesh.
-    eye: vec3f,
+    /// The camera in the space of the mesh, homogeneous: w is 0 where its rays are parallel.
+    eye: vec4f,
+    /// How often the way from the light to a vertex goes on beyond it, where shadows end somewhere; of a sun's unit vector
+    /// likewise. 1 where they end at infinity.
+    reach: f32,
 }
 
 const CASTS: u32 = 1u;

@@ -1,4 +1,4 @@
-//! A picture whose pixels are shadowed by the stencil: the depth of what is seen, counts beside it, and visibility.
+//! A picture whose pixels are shadowed by counts: the depth of what is seen, counts beside it, and visibility.
 //!
 //! A pixel is lit until its count differs from zero, where the light shines at what it shows; the sky is lit.
 
@@ -24,15 +24,19 @@ pub(crate) struct Painter {
 pub(crate) struct Canvas {
     pub size: [u32; 2],
     depth: wgpu::TextureView,
+    counts: wgpu::TextureView,
     visibility: Picture,
 }
 
-/// The finest depth with a stencil that the device has.
-pub(crate) fn depth_stencil_format(gpu: &Gpu) -> wgpu::TextureFormat {
-    if gpu.device.features().contains(wgpu::Features::DEPTH32FLOAT_STENCIL8) {
-        wgpu::TextureFormat::Depth32FloatStencil8
+/// The depth of what is seen.
+pub(crate) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// The widest count that the device can add to: of whole numbers, 32 bits hold 2²⁴, and 16 bits 2048.
+pub(crate) fn count_format(gpu: &Gpu) -> wgpu::TextureFormat {
+    if gpu.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE) {
+        wgpu::TextureFormat::R32Float
     } else {
-        wgpu::TextureFormat::Depth24PlusStencil8
+        wgpu::TextureFormat::R16Float
     }
 }
 
@@ -41,36 +45,32 @@ const VISIBILITY: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 impl Painter {
     pub fn new(gpu: &Gpu) -> Self {
         let shader = module(gpu, "Painter::seen", &[SHOT, WHOLE_PICTURE, RECEIVERS, SEEN]);
-        let format = depth_stencil_format(gpu);
         let depth = wgpu::DepthStencilState {
-            format,
+            format: DEPTH,
             depth_write_enabled: Some(true),
             depth_compare: Some(wgpu::CompareFunction::Always),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         };
-        let counted = wgpu::StencilFaceState {
-            compare: wgpu::CompareFunction::NotEqual,
-            ..wgpu::StencilFaceState::IGNORE
-        };
-        let stencil = wgpu::StencilState { front: counted, back: counted, read_mask: 0xff, write_mask: 0 };
-        let shadow = wgpu::DepthStencilState { depth_write_enabled: Some(false), stencil, ..depth };
-        let target = Some(VISIBILITY.into());
+        let uncounted =
+            wgpu::ColorTargetState { write_mask: wgpu::ColorWrites::empty(), ..count_format(gpu).into() };
         Self {
             shot: shot::buffer(gpu),
-            depth: over_all(gpu, &shader, "endless_depth", Some(depth), &[]),
-            shadow: over_all(gpu, &shader, "shadowed", Some(shadow), &[target]),
+            depth: over_all(gpu, &shader, "endless_depth", Some(depth), &[Some(uncounted)]),
+            shadow: over_all(gpu, &shader, "shadowed", None, &[Some(VISIBILITY.into())]),
         }
     }
 
     /// Makes the textures of a picture.
     pub fn canvas(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Canvas, RenderError> {
         gpu.allocate("the picture", || {
-            let none = wgpu::TextureUsages::empty();
-            let depth = texture(gpu, "Canvas::depth", size, depth_stencil_format(gpu), none);
-            let depth = depth.create_view(&wgpu::TextureViewDescriptor::default());
+            let make = |label, format, usage| {
+                texture(gpu, label, size, format, usage).create_view(&wgpu::TextureViewDescriptor::default())
+            };
+            let depth = make("Canvas::depth", DEPTH, wgpu::TextureUsages::empty());
+            let counts = make("Canvas::counts", count_format(gpu), wgpu::TextureUsages::TEXTURE_BINDING);
             let visibility = Picture::new(gpu, "Canvas::visibility", size, VISIBILITY);
-            Ok::<_, RenderError>(Canvas { size, depth, visibility })
+            Ok::<_, RenderError>(Canvas { size, depth, counts, visibility })
         })
     }
 
@@ -86,22 +86,28 @@ impl Painter {
     ) -> wgpu::RenderPass<'e> {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("Painter::count"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &canvas.counts,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &canvas.depth,
                 depth_ops: Some(wgpu::Operations {
                     load: wgpu::LoadOp::Clear(0.0),
-                    store: wgpu::StoreOp::Store,
+                    store: wgpu::StoreOp::Discard,
                 }),
-                stencil_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(0),
-                    store: wgpu::StoreOp::Store,
-                }),
+                stencil_ops: None,
             }),
             timestamp_writes,
             ..Default::default()
         });
         pass.set_pipeline(&self.depth);
-        pass.set_bind_group(0, &self.group(gpu, &self.depth, seen), &[]);
+        pass.set_bind_group(0, &self.group(gpu, &self.depth, seen, None), &[]);
         pass.draw(0..3, 0..1);
         pass
     }
@@ -126,24 +132,24 @@ impl Painter {
                     store: wgpu::StoreOp::Store,
                 },
             })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &canvas.depth,
-                depth_ops: None,
-                stencil_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Load,
-                    store: wgpu::StoreOp::Discard,
-                }),
-            }),
             timestamp_writes,
             ..Default::default()
         });
         pass.set_pipeline(&self.shadow);
-        pass.set_bind_group(0, &self.group(gpu, &self.shadow, seen), &[]);
+        pass.set_bind_group(0, &self.group(gpu, &self.shadow, seen, Some(&canvas.counts)), &[]);
         pass.draw(0..3, 0..1);
     }
 
-    fn group(&self, gpu: &Gpu, pipeline: &wgpu::RenderPipeline, seen: &wgpu::TextureView) -> wgpu::BindGroup {
-        let resources = [(0, self.shot.as_entire_binding()), (1, wgpu::BindingResource::TextureView(seen))];
+    fn group(
+        &self,
+        gpu: &Gpu,
+        pipeline: &wgpu::RenderPipeline,
+        seen: &wgpu::TextureView,
+        counts: Option<&wgpu::TextureView>,
+    ) -> wgpu::BindGroup {
+        let mut resources = vec![(0, self.shot.as_entire_binding())];
+        let textures = [Some(seen), counts].into_iter().flatten();
+        resources.extend((1..).zip(textures.map(wgpu::BindingResource::TextureView)));
         bind(gpu, &pipeline.get_bind_group_layout(0), &resources)
     }
 }

@@ -10,11 +10,6 @@ pub enum RivalError {
     /// failed.
     #[error(transparent)]
     Render(#[from] umbrage_render::RenderError),
-    /// A camera with parallel rays, all of which end at the same point at infinity.
-    #[error(
-        "shadow volumes end at infinity, and a camera whose rays are parallel cannot count them there; use a perspective camera"
-    )]
-    ParallelRays,
     /// A setting is out of its range.
     #[error("`{name}` is {got}, need {wanted}")]
     Setting {

@@ -40,9 +40,26 @@ impl Eye {
         })
     }
 
-    /// The distance from the eye to the corners of the near plane of a pinhole, metres.
-    pub fn near_reach(&self) -> f64 {
-        self.depths[0] * (self.forward + self.right + self.up).length()
+    /// A ball around the near plane, relative to the eye: centre and radius, metres.
+    pub fn near_plane(&self) -> (DVec3, f64) {
+        let near = self.depths[0];
+        if self.is_parallel {
+            (self.forward * near, (self.right + self.up).length())
+        } else {
+            (DVec3::ZERO, near * (self.forward + self.right + self.up).length())
+        }
+    }
+
+    /// A ball around all that parallel rays see, relative to the eye: centre and radius, metres.
+    pub fn seen(&self) -> (DVec3, f64) {
+        let [near, far] = self.depths;
+        let half = 0.5 * (far - near) * self.forward;
+        (0.5 * (near + far) * self.forward, (half + self.right + self.up).length())
+    }
+
+    /// Its place relative to itself and 1, or the unit direction toward it and 0 where its rays are parallel.
+    pub fn homogeneous(&self) -> DVec4 {
+        if self.is_parallel { (-self.forward).extend(0.0) } else { DVec4::W }
     }
 
     /// Clip space of positions in world axes that are relative to the eye. Depth is reversed, and that of a pinhole is

@@ -19,7 +19,7 @@ use crate::volumes::Volumes;
 #[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
 #[non_exhaustive]
 pub enum Family {
-    /// Shadow volumes of closed meshes, counted in the stencil behind what is seen.
+    /// Shadow volumes of closed meshes, counted behind what is seen.
     Volumes {},
     /// Planar projected shadows: casters flattened onto the largest planes of the scene.
     Planar {},

@@ -25,6 +25,7 @@ mod eye;
 mod family;
 mod flat;
 mod floors;
+mod left;
 mod light_maps;
 mod picture;
 mod planar;
@@ -40,5 +41,6 @@ mod volumes;
 
 pub use error::RivalError;
 pub use family::Family;
+pub use left::Left;
 pub use light_maps::{BakeProgress, BakeStep, LightMapOptions, LightMaps, Tell};
-pub use rival::{Left, Rival, Seen, View};
+pub use rival::{Rival, Seen, View};

@@ -26,7 +26,8 @@ use umbrage_render::Gpu;
 use umbrage_scene::{Pose, Scene};
 
 use crate::error::RivalError;
-use crate::rival::{Left, Rival, Seen, View};
+use crate::left::Left;
+use crate::rival::{Rival, Seen, View};
 use pass::Pass;
 use rays::Still;
 use unwrap::Unwrapped;
@@ -237,7 +238,7 @@ fn left(scene: &Scene) -> Vec<Left> {
     moving
         .map(|(instance, of)| {
             let why = if of.skin.is_some() { "it bends" } else { "it moves" };
-            Left { instance, why: why.to_owned() }
+            Left::whole(scene, instance, why)
         })
         .collect()
 }

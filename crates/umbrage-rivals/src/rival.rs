@@ -6,6 +6,7 @@ use std::sync::Arc;
 use umbrage_scene::{Camera, Light, Pose};
 
 use crate::error::RivalError;
+use crate::left::Left;
 
 /// A view is a picture whose shadows are asked for.
 #[derive(Clone, Debug)]
@@ -26,22 +27,15 @@ pub struct Seen {
     /// The visibility of every pixel, 0 to 1, rows from top to bottom, one list for each light; `None` where the family knows
     /// nothing of what the pixel shows. The sky is lit.
     pub visibility: Vec<Vec<Option<f32>>>,
-    /// The time that a picture's shadows took, in milliseconds: on the device where it has timestamps.
+    /// The time that the passes of a picture's shadows took, in milliseconds: on the device where it has timestamps.
     pub milliseconds: f64,
-}
-
-/// A caster that a family cannot draw.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Left {
-    /// The number of the instance in the scene.
-    pub instance: usize,
-    /// Why it is left, as the end of a sentence: "its mesh is open".
-    pub why: String,
+    /// The time before that on the CPU, in milliseconds: to place what casts, to list what is drawn, and to hand it over.
+    pub listing_milliseconds: f64,
 }
 
 /// A rival is a family of shadows, ready for one scene.
 pub trait Rival: Debug {
-    /// The casters that the family cannot draw; their shadows are missing in what it says.
+    /// The casters that the family cannot draw, in whole or in part; their shadows are missing in what it says.
     fn left(&self) -> &[Left];
 
     /// The bytes that the family holds on the device for the shadows of this scene.

@@ -43,6 +43,13 @@ impl Shell {
         point.distance(point.clamp(self.bounds.min.as_dvec3(), self.bounds.max.as_dvec3()))
     }
 
+    /// The corners of the box around the shell, counted from the origin.
+    pub fn corners(&self) -> [DVec3; 8] {
+        let [min, max] = [self.bounds.min.as_dvec3(), self.bounds.max.as_dvec3()];
+        let pick = |corner: usize, axis: usize| if corner >> axis & 1 == 1 { max[axis] } else { min[axis] };
+        std::array::from_fn(|corner| DVec3::from_array(std::array::from_fn(|axis| pick(corner, axis))))
+    }
+
     /// Whether a point, counted from the origin, is inside of a closed mesh: the triangles then fill the whole sphere around it.
     ///
     /// Source: A. Van Oosterom, J. Strackee, *The Solid Angle of a Plane Triangle*, IEEE Transactions on Biomedical

@@ -39,7 +39,7 @@ impl Shot {
             cos_outer: light.cos_outer as f32,
             // Shaders know no infinity.
             range: light.range.min(f64::from(f32::MAX)) as f32,
-            corners: if light.is_sun() { 3 } else { 6 },
+            corners: if light.is_sun() && !eye.is_parallel { 3 } else { 6 },
             size: 0.0,
         }
     }

@@ -7,28 +7,32 @@
 //! The body of a caster is the sum of the prisms behind its triangles that face away from the light. Whether one does is found
 //! once, as a bit, so that caps and sides agree and the body is watertight. Triangles that face the light are in no cap: so no
 //! lit surface lies on the border of a body, and none needs a bias to stay lit. A place is in as many prisms as triangles that face away
-//! lie before it, and as the mesh is closed it is in shadow where that is one or more. The stencil has eight bits: where 256
-//! surfaces, or a multiple of that, lie before a place it counts as lit.
+//! lie before it, and as the mesh is closed it is in shadow where that is one or more. A stencil of eight bits would count
+//! 256 as none, so counts are summed in a texture of floats: they are exact up to 2²⁴, and where the device cannot blend floats of 32
+//! bits ([`FLOAT32_BLENDABLE`](wgpu::Features::FLOAT32_BLENDABLE)) up to 2048.
 //!
-//! Parallel rays of a camera all end at one point at infinity, and do not say which volumes hold it: such cameras are refused.
+//! Parallel rays of a camera all end at one point at infinity, and do not say which volumes hold it. So for such a camera volumes end
+//! beyond the box that it sees, and what lies before its nearest depth or beyond its farthest counts as lying there.
 //!
-//! A caster must be closed, solid and rigid. Of a caster near a lamp, triangles that lie within the lamp's near distance cast
-//! nothing; what lies within it in part casts whole.
+//! A caster must be closed and rigid; of one that is solid in part, that part must be closed. Of a caster near a lamp, triangles that
+//! lie within the lamp's near distance cast nothing; what lies within it in part casts whole.
 
 mod passes;
 mod placed;
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
+use web_time::Instant;
 
 use crate::buffers::Held;
-use crate::by_light::{self, ByLight, OfLight};
+use crate::by_light::{self, ByLight, OfLight, milliseconds_since};
 use crate::canvas::{Canvas, Painter};
 use crate::casters::Casters;
 use crate::error::RivalError;
 use crate::eye::Eye;
+use crate::left::Left;
 use crate::receivers::Receivers;
-use crate::rival::{Left, Rival, Seen, View};
+use crate::rival::{Rival, Seen, View};
 use crate::shining::Shining;
 use crate::shot::Shot;
 use crate::stopwatch::Stopwatch;
@@ -80,6 +84,7 @@ impl ByLight for Volumes {
         view: &View<'_>,
         seen: &wgpu::TextureView,
     ) -> Result<OfLight, RivalError> {
+        let start = Instant::now();
         let Self { gpu, painter, canvas, passes, stopwatch, .. } = self;
         let canvas = match canvas.take().filter(|canvas| canvas.size == view.size) {
             Some(same) => canvas.insert(same),
@@ -90,14 +95,15 @@ impl ByLight for Volumes {
         let descriptor = wgpu::CommandEncoderDescriptor { label: Some("Volumes::light") };
         let mut encoder = gpu.device.create_command_encoder(&descriptor);
         passes.find(&mut encoder, stopwatch.starts());
-        passes.draw(&mut painter.count(gpu, &mut encoder, canvas, seen, None));
+        passes.draw(&mut painter.count(gpu, &mut encoder, canvas, seen, None), eye);
         painter.shadow(gpu, &mut encoder, canvas, seen, stopwatch.stops());
         let times = stopwatch.resolve(gpu, &mut encoder);
         let copy = canvas.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
+        let listing = milliseconds_since(start);
         let visibility = canvas.read(gpu, copy)?.into_iter().map(Some).collect();
-        let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
-        Ok((visibility, milliseconds))
+        let on_device = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
+        Ok(OfLight { visibility, listing, on_device })
     }
 }
 
@@ -112,9 +118,6 @@ impl Rival for Volumes {
 
     fn see(&mut self, view: &View<'_>) -> Result<Seen, RivalError> {
         let eye = Eye::new(view.camera, view.size)?;
-        if eye.is_parallel {
-            return Err(RivalError::ParallelRays);
-        }
         by_light::see(self, &eye, view)
     }
 }

@@ -1,17 +1,20 @@
 //! Light maps, judged by rays: as fine as their bytes, and baked no more than once.
 
 mod common;
-mod court;
 
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use common::small_gpu;
-use court::{SIZE, at, camera, court as scene_at, gpu, lamp, still, sun, tally};
+use common::site::{self, camera, lamp, sun};
+use common::{SIZE, gpu, pixel_at, small_gpu, truth};
 use glam::Vec3;
+use umbrage_judge::Tally;
 use umbrage_render::Gpu;
-use umbrage_rivals::{BakeStep, Family, LightMapOptions, LightMaps, Rival as _, RivalError, Seen, View};
-use umbrage_scene::{Alpha, Light, Motion, Scene};
+use umbrage_rivals::{
+    BakeStep, Family, Left, LightMapOptions, LightMaps, Rival as _, RivalError, Seen, View,
+};
+use umbrage_scene::{Alpha, Camera, Light, Motion, Pose, Scene};
 
 fn options(bytes: u64) -> LightMapOptions {
     LightMapOptions { bytes, ..LightMapOptions::default() }
@@ -19,18 +22,23 @@ fn options(bytes: u64) -> LightMapOptions {
 
 fn baked(gpu: &Gpu, scene: &Scene, light: &Light, bytes: u64, folder: Option<&Path>) -> LightMaps {
     let lights = std::slice::from_ref(light);
-    LightMaps::bake(gpu, scene, (lights, &still()), options(bytes), folder, &|_| true).expect("baked")
+    LightMaps::bake(gpu, scene, (lights, &Pose::default()), options(bytes), folder, &|_| true).expect("baked")
 }
 
-fn see(maps: &mut LightMaps, camera: &umbrage_scene::Camera, light: &Light) -> Seen {
-    let view = View { camera, lights: std::slice::from_ref(light), pose: &still(), size: SIZE };
+fn see(maps: &mut LightMaps, camera: &Camera, light: &Light) -> Seen {
+    let view = View { camera, lights: std::slice::from_ref(light), pose: &Arc::default(), size: SIZE };
     maps.see(&view).expect("seen")
+}
+
+/// How wrong what was seen of a light is where it is known, in a world in which what is left casts nothing.
+fn tally(scene: &Scene, left: &[Left], camera: &Camera, light: &Light, seen: &[Option<f32>]) -> Tally {
+    common::tally(&truth(scene, left, camera, light, &Pose::default()).pixels, seen)
 }
 
 #[test]
 fn error_falls_with_bytes_under_a_sun_and_under_a_lamp() {
     let (gpu, place) = (gpu(), Vec3::ZERO);
-    let (scene, camera) = (scene_at(place), camera(place));
+    let (scene, camera) = (site::scene(place), camera(place));
     for light in [sun(), lamp(place)] {
         let error = |bytes| {
             let mut maps = baked(&gpu, &scene, &light, bytes, None);
@@ -51,7 +59,7 @@ fn error_falls_with_bytes_under_a_sun_and_under_a_lamp() {
 fn shadows_are_the_same_200_km_from_the_origin() {
     let gpu = gpu();
     let errors = [Vec3::ZERO, Vec3::new(2e5, 0.0, -1.5e5)].map(|place| {
-        let (scene, camera) = (scene_at(place), camera(place));
+        let (scene, camera) = (site::scene(place), camera(place));
         let mut maps = baked(&gpu, &scene, &sun(), 1 << 20, None);
         let seen = see(&mut maps, &camera, &sun());
         tally(&scene, maps.left(), &camera, &sun(), &seen.visibility[0]).mis_shadowed()
@@ -64,18 +72,18 @@ fn the_dark_side_of_a_wall_does_not_bleed_to_the_lit_one() {
     let gpu = gpu();
     // 2 cm thin, and texels of some 10 cm.
     let ground = (Vec3::new(0.0, -0.5, 0.0), Vec3::new(20.0, 1.0, 20.0));
-    let scene = court::boxes(Vec3::ZERO, &[ground, (Vec3::Y, Vec3::new(4.0, 2.0, 0.02))]);
+    let scene = site::boxes(Vec3::ZERO, &[ground, (Vec3::Y, Vec3::new(4.0, 2.0, 0.02))]);
     let light = Light::sun(Vec3::new(0.0, -1.0, -1.0), 1e5);
     let mut maps = baked(&gpu, &scene, &light, 64 << 10, None);
     assert!((5.0..20.0).contains(&maps.texels_per_metre()), "{} texels a metre", maps.texels_per_metre());
-    let lit = umbrage_scene::Camera::looking("lit", Vec3::new(0.0, 2.0, 6.0), Vec3::Y, 0.9, 0.1, 60.0);
-    let dark = umbrage_scene::Camera::looking("dark", Vec3::new(0.0, 4.0, -6.0), Vec3::Y, 0.9, 0.1, 60.0);
+    let lit = Camera::looking("lit", Vec3::new(0.0, 2.0, 6.0), Vec3::Y, 0.9, 0.1, 60.0);
+    let dark = Camera::looking("dark", Vec3::new(0.0, 4.0, -6.0), Vec3::Y, 0.9, 0.1, 60.0);
     let (from_light, from_behind) = (see(&mut maps, &lit, &light), see(&mut maps, &dark, &light));
     for x in [-1.95, -1.0, 0.0, 1.0, 1.95] {
         for y in [0.05, 1.0, 1.95] {
-            assert_eq!(at(&lit, &from_light, Vec3::new(x, y, 0.01)), Some(1.0), "the wall at {x}, {y}");
+            assert_eq!(pixel_at(&lit, &from_light, Vec3::new(x, y, 0.01)), Some(1.0), "the wall at {x}, {y}");
         }
-        let behind = at(&dark, &from_behind, Vec3::new(0.9 * x, 0.0, -0.3));
+        let behind = pixel_at(&dark, &from_behind, Vec3::new(0.9 * x, 0.0, -0.3));
         assert_eq!(behind, Some(0.0), "the ground behind the wall at {x}");
     }
 }
@@ -83,14 +91,14 @@ fn the_dark_side_of_a_wall_does_not_bleed_to_the_lit_one() {
 #[test]
 fn what_moves_is_left_and_neither_casts_nor_receives() {
     let (gpu, place) = (gpu(), Vec3::ZERO);
-    let (mut scene, camera) = (scene_at(place), camera(place));
+    let (mut scene, camera) = (site::scene(place), camera(place));
     scene.instances[2].motion =
         Motion::Rotation { centre: Vec3::ZERO, axis: Vec3::Y, radians_per_second: 1.0 };
     let mut maps = baked(&gpu, &scene, &sun(), 1 << 20, None);
     assert_eq!(maps.left().iter().map(|left| left.instance).collect::<Vec<_>>(), [2]);
     let seen = see(&mut maps, &camera, &sun());
-    assert_eq!(at(&camera, &seen, Vec3::new(1.0, 1.0, 2.0)), None, "its upper side");
-    assert_eq!(at(&camera, &seen, Vec3::new(1.7, 0.0, 2.4)), Some(1.0), "where its shadow would be");
+    assert_eq!(pixel_at(&camera, &seen, Vec3::new(1.0, 1.0, 2.0)), None, "its upper side");
+    assert_eq!(pixel_at(&camera, &seen, Vec3::new(1.7, 0.0, 2.4)), Some(1.0), "where its shadow would be");
     let tally = tally(&scene, maps.left(), &camera, &sun(), &seen.visibility[0]);
     assert!(tally.judged > 15_000 && tally.mis_shadowed() < 0.003, "{tally:?}");
 }
@@ -98,26 +106,26 @@ fn what_moves_is_left_and_neither_casts_nor_receives() {
 #[test]
 fn what_is_seen_through_hides_what_is_behind_it_and_is_not_known() {
     let (gpu, place) = (gpu(), Vec3::ZERO);
-    let (mut scene, camera) = (scene_at(place), camera(place));
+    let (mut scene, camera) = (site::scene(place), camera(place));
     scene.materials[0].alpha = Alpha::Blend;
     scene.materials[0].base_colour.w = 0.5;
     let mut maps = baked(&gpu, &scene, &sun(), 1 << 20, None);
     let seen = see(&mut maps, &camera, &sun());
-    assert_eq!(at(&camera, &seen, Vec3::ZERO), None);
+    assert_eq!(pixel_at(&camera, &seen, Vec3::ZERO), None);
     assert!(maps.left().is_empty() && seen.visibility[0].iter().all(|share| share.is_none_or(|s| s == 1.0)));
 }
 
 #[test]
 fn a_light_that_was_not_baked_is_not_known() {
     let (gpu, place) = (gpu(), Vec3::ZERO);
-    let (mut scene, camera) = (scene_at(place), camera(place));
+    let (mut scene, camera) = (site::scene(place), camera(place));
     scene.lights = vec![sun(), lamp(place)];
     let family = Family::LightMaps { bytes: 1 << 20, rays: 1 };
     let mut maps = family.ready(&gpu, &scene).expect("ready");
     let before = maps.bytes();
     let other = Light::sun(Vec3::NEG_Y, 1.0);
     let lights = [lamp(place), other, sun(), lamp(place), sun()];
-    let view = View { camera: &camera, lights: &lights, pose: &still(), size: SIZE };
+    let view = View { camera: &camera, lights: &lights, pose: &Arc::default(), size: SIZE };
     let seen = maps.see(&view).expect("seen");
     assert_eq!(seen.visibility.len(), 5);
     assert!(seen.visibility[1].iter().all(Option::is_none));
@@ -133,13 +141,17 @@ fn a_light_that_was_not_baked_is_not_known() {
 #[test]
 fn a_bake_that_was_cut_off_goes_on_and_comes_to_the_same() {
     let (gpu, folder) = (gpu(), tempfile::tempdir().expect("a folder"));
-    let (scene, light) = (scene_at(Vec3::ZERO), lamp(Vec3::ZERO));
+    let (scene, light) = (site::scene(Vec3::ZERO), lamp(Vec3::ZERO));
     let whole = baked(&gpu, &scene, &light, 256 << 10, None);
     let (bands, lights) = (AtomicUsize::new(0), std::slice::from_ref(&light));
-    let cut_off =
-        LightMaps::bake(&gpu, &scene, (lights, &still()), options(256 << 10), Some(folder.path()), &|p| {
-            p.step != BakeStep::Trace || bands.fetch_add(1, Ordering::Relaxed) < 7
-        });
+    let cut_off = LightMaps::bake(
+        &gpu,
+        &scene,
+        (lights, &Pose::default()),
+        options(256 << 10),
+        Some(folder.path()),
+        &|p| p.step != BakeStep::Trace || bands.fetch_add(1, Ordering::Relaxed) < 7,
+    );
     assert!(matches!(cut_off, Err(RivalError::Cancelled)), "{cut_off:?}");
     let again = baked(&gpu, &scene, &light, 256 << 10, Some(folder.path()));
     assert!(0 < again.rays() && again.rays() < whole.rays(), "{} of {} rays", again.rays(), whole.rays());
@@ -157,7 +169,7 @@ fn a_bake_that_was_cut_off_goes_on_and_comes_to_the_same() {
 #[test]
 fn files_that_are_not_as_they_were_written_are_baked_again() {
     let (gpu, folder) = (gpu(), tempfile::tempdir().expect("a folder"));
-    let scene = scene_at(Vec3::ZERO);
+    let scene = site::scene(Vec3::ZERO);
     let whole = baked(&gpu, &scene, &sun(), 64 << 10, Some(folder.path()));
     let mut paths: Vec<_> = std::fs::read_dir(folder.path())
         .expect("a folder")
@@ -189,11 +201,17 @@ fn a_folder_that_cannot_be_written_is_an_error_by_name() {
     let file = folder.path().join("file");
     std::fs::write(&file, b"in the way").expect("a file");
     for path in [file.clone(), file.join("below")] {
-        let (scene, light) = (scene_at(Vec3::ZERO), sun());
+        let (scene, light) = (site::scene(Vec3::ZERO), sun());
         let lights = std::slice::from_ref(&light);
-        let error =
-            LightMaps::bake(&gpu, &scene, (lights, &still()), options(64 << 10), Some(&path), &|_| true)
-                .expect_err("no folder");
+        let error = LightMaps::bake(
+            &gpu,
+            &scene,
+            (lights, &Pose::default()),
+            options(64 << 10),
+            Some(&path),
+            &|_| true,
+        )
+        .expect_err("no folder");
         assert!(error.to_string().contains(path.to_str().expect("a path")), "{error}");
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 1);
@@ -206,10 +224,17 @@ fn options_out_of_range_and_too_little_room_are_errors() {
     let places =
         (0..=255u8).map(|i| (Vec3::new(f32::from(i % 16), 0.0, f32::from(i / 16)), Vec3::splat(0.5)));
     let (gpu, light) = (gpu(), sun());
-    let scene = court::boxes(Vec3::ZERO, &places.collect::<Vec<_>>());
+    let scene = site::boxes(Vec3::ZERO, &places.collect::<Vec<_>>());
     let bake = |bytes, rays| {
         let options = LightMapOptions { bytes, rays };
-        LightMaps::bake(&gpu, &scene, (std::slice::from_ref(&light), &still()), options, None, &|_| true)
+        LightMaps::bake(
+            &gpu,
+            &scene,
+            (std::slice::from_ref(&light), &Pose::default()),
+            options,
+            None,
+            &|_| true,
+        )
     };
     for (bytes, rays, name) in
         [(4095, 4, "bytes"), (u64::MAX, 4, "bytes"), (4096, 0, "rays"), (4096, 65, "rays")]
@@ -237,17 +262,18 @@ fn a_device_whose_buffers_are_too_small_is_an_error() {
 #[test]
 fn a_device_without_timestamps_tells_the_time_too() {
     let gpu = small_gpu(|descriptor| descriptor.required_features.remove(wgpu::Features::TIMESTAMP_QUERY));
-    let mut maps = baked(&gpu, &scene_at(Vec3::ZERO), &sun(), 64 << 10, None);
+    let mut maps = baked(&gpu, &site::scene(Vec3::ZERO), &sun(), 64 << 10, None);
     assert!(see(&mut maps, &camera(Vec3::ZERO), &sun()).milliseconds > 0.0);
 }
 
 #[test]
 fn too_many_lights_for_bytes_or_layers_are_errors_that_say_which() {
-    let (gpu, scene) = (gpu(), scene_at(Vec3::ZERO));
+    let (gpu, scene) = (gpu(), site::scene(Vec3::ZERO));
     let bake = |lights, bytes| {
         let lights = vec![sun(); lights];
         let told = |_| panic!("nothing is begun");
-        LightMaps::bake(&gpu, &scene, (&lights, &still()), options(bytes), None, &told).expect_err("too many")
+        LightMaps::bake(&gpu, &scene, (&lights, &Pose::default()), options(bytes), None, &told)
+            .expect_err("too many")
     };
     let error = bake(200, 4096);
     assert!(matches!(error, RivalError::Room { lights: 200, bytes: 4096 }), "{error}");
@@ -259,14 +285,14 @@ fn too_many_lights_for_bytes_or_layers_are_errors_that_say_which() {
 #[test]
 fn a_vertex_that_is_nowhere_takes_its_triangles_and_nothing_else() {
     let (gpu, camera) = (gpu(), camera(Vec3::ZERO));
-    let mut scene = scene_at(Vec3::ZERO);
+    let mut scene = site::scene(Vec3::ZERO);
     let mut torn = scene.meshes[0].clone();
     torn.positions[0].x = f32::NAN;
     scene.meshes.push(torn);
     scene.instances[2].mesh = 1;
     let mut maps = baked(&gpu, &scene, &sun(), 256 << 10, None);
     let seen = see(&mut maps, &camera, &sun());
-    assert_eq!(at(&camera, &seen, Vec3::new(0.0, 0.0, 5.0)), Some(1.0), "the ground");
+    assert_eq!(pixel_at(&camera, &seen, Vec3::new(0.0, 0.0, 5.0)), Some(1.0), "the ground");
     let tally = tally(&scene, maps.left(), &camera, &sun(), &seen.visibility[0]);
     assert!(tally.judged > 15_000 && tally.mis_shadowed() < 0.01, "{tally:?}");
 }
@@ -279,9 +305,9 @@ fn an_empty_scene_is_lit_and_one_without_lights_is_not_known() {
     let seen = see(&mut maps, &camera(Vec3::ZERO), &sun());
     assert!(seen.visibility[0].iter().all(|share| *share == Some(1.0)));
     let mut unlit =
-        Family::LightMaps { bytes: 4096, rays: 1 }.ready(&gpu, &scene_at(Vec3::ZERO)).expect("ready");
-    let view = View { camera: &camera(Vec3::ZERO), lights: &[sun()], pose: &still(), size: SIZE };
+        Family::LightMaps { bytes: 4096, rays: 1 }.ready(&gpu, &site::scene(Vec3::ZERO)).expect("ready");
+    let view = View { camera: &camera(Vec3::ZERO), lights: &[sun()], pose: &Arc::default(), size: SIZE };
     assert!(unlit.see(&view).expect("seen").visibility[0].iter().all(Option::is_none), "nothing was baked");
-    let none = View { camera: &camera(Vec3::ZERO), lights: &[], pose: &still(), size: SIZE };
+    let none = View { camera: &camera(Vec3::ZERO), lights: &[], pose: &Arc::default(), size: SIZE };
     assert!(maps.see(&none).expect("seen").visibility.is_empty());
 }

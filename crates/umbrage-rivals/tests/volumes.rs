@@ -2,14 +2,12 @@
 
 mod common;
 
-use std::sync::Arc;
-
 use common::{
-    MOST, SIZE, above, at, camera, court, gpu, ground, judge, judge_on, point, scene, small_gpu, spot, sun,
+    MOST, above, at, camera, court, flat, ground, judge, judge_on, point, scene, sides, small_gpu, spot, sun,
 };
 use glam::{Mat4, Vec3};
-use umbrage_rivals::{Family, RivalError, View};
-use umbrage_scene::{Camera, Instance, Lens, Light, Motion, Scene};
+use umbrage_rivals::Family;
+use umbrage_scene::{Alpha, Camera, Instance, Lens, Light, Material, Mesh, Motion, Primitive, Scene};
 
 fn agrees(name: &str, scene: &Scene, camera: &Camera, lights: &[Light], seconds: f32) {
     judge(Family::Volumes {}, scene, camera, lights, seconds).agrees(&format!("volumes, {name}"), lights);
@@ -35,17 +33,68 @@ fn it_does_not_matter_where_the_camera_stands() {
     agrees("toward the light", &court(), &toward, &lights, 0.0);
 }
 
-#[test]
-fn a_camera_with_parallel_rays_is_refused() {
-    let camera = Camera { lens: Lens::Orthographic { half_height: 6.0 }, ..above() };
-    let mut rival = Family::Volumes {}.ready(&gpu(), &court()).unwrap();
-    let view = View { camera: &camera, lights: &[sun()], pose: &Arc::default(), size: SIZE };
-    assert!(matches!(rival.see(&view), Err(RivalError::ParallelRays)));
+fn parallel(camera: Camera, near: f32, far: f32) -> Camera {
+    Camera { lens: Lens::Orthographic { half_height: 6.0 }, near, far, ..camera }
 }
 
 #[test]
-fn a_device_without_timestamps_and_with_depths_of_24_bits_serves_too() {
-    let none = wgpu::Features::DEPTH32FLOAT_STENCIL8 | wgpu::Features::TIMESTAMP_QUERY;
+fn parallel_rays_see_the_same_shadows() {
+    let lights = [sun(), spot(), point()];
+    agrees("parallel", &court(), &parallel(above(), 1.0, 30.0), &lights, 0.0);
+    // Casters before what is nearest, and shadows that go on beyond what is farthest.
+    let cut_off = parallel(camera(Vec3::new(0.3, 9.0, 0.2), Vec3::new(0.0, 0.0, 0.1)), 6.5, 9.4);
+    agrees("parallel, cut off", &court(), &cut_off, &lights, 0.0);
+}
+
+#[test]
+fn parallel_rays_may_look_the_way_the_sun_shines() {
+    let down = Camera::looking("c", Vec3::new(0.0, 20.0, 0.0), Vec3::ZERO, 1.0, 0.1, 200.0);
+    let noon = Light::sun(Vec3::NEG_Y, 1e5);
+    let down = parallel(down, 1.0, 40.0);
+    let judged = judge(Family::Volumes {}, &court(), &down, &[noon], 0.0);
+    let (wrong, pixels, shadowed) = judged.wrong(0);
+    assert!(pixels > 1000 && shadowed == 0.0 && wrong <= MOST, "{wrong} of {pixels}, {shadowed}");
+    // Nearly so.
+    let light = Light::sun(Vec3::new(0.01, -1.0, -0.007), 1e5);
+    let judged = judge(Family::Volumes {}, &court(), &down, &[light], 0.0);
+    let (wrong, pixels, shadowed) = judged.wrong(0);
+    assert!(pixels > 1000 && shadowed > 0.0 && wrong <= MOST, "{wrong} of {pixels}, {shadowed}");
+    let level = camera(Vec3::new(-30.0, 1.5, 0.0), Vec3::new(0.0, 1.5, 0.0));
+    agrees("parallel, along the light", &court(), &parallel(level, 1.0, 60.0), &[point()], 0.0);
+}
+
+#[test]
+fn a_place_behind_any_number_of_surfaces_is_in_shadow() {
+    let nested = |i: u16| {
+        let size = Mat4::from_scale(Vec3::splat(1.0 + f32::from(i) / 1024.0));
+        Instance::still(0, Mat4::from_translation(Vec3::new(0.0, 2.5, 0.0)) * size)
+    };
+    // Eight bits count 256 as none.
+    for boxes in [256, 300] {
+        let scene = scene(std::iter::once(ground()).chain((0..boxes).map(nested)).collect());
+        agrees(&format!("{boxes} nested boxes"), &scene, &above(), &[sun(), spot()], 0.0);
+    }
+}
+
+#[test]
+fn of_a_mesh_with_glass_the_solid_part_is_served_if_it_is_closed() {
+    let glass = |height: f32| Primitive { material: 1, ..flat(height) };
+    let mut scene = scene(vec![ground(), at(4, -2.0, 1.5, 0.0), at(5, 3.0, 1.5, 0.0)]);
+    scene.meshes.push(Mesh::new("box under glass", &[sides(), glass(1.6)]));
+    scene.meshes.push(Mesh::new("square under glass", &[flat(0.0), glass(1.6)]));
+    let mut veil = Material::plain("glass", 0.5, 0.5, 0.5);
+    (veil.alpha, veil.base_colour.w) = (Alpha::Blend, 0.5);
+    scene.materials.push(veil);
+    let lights = [sun(), point()];
+    let judged = judge(Family::Volumes {}, &scene, &above(), &lights, 0.0);
+    let left: Vec<_> = judged.left.iter().map(|left| (left.instance, left.parts.as_slice())).collect();
+    assert_eq!(left, [(1, [1].as_slice()), (2, [0, 1].as_slice())]);
+    judged.agrees("volumes, box under glass", &lights);
+}
+
+#[test]
+fn a_device_without_timestamps_and_with_counts_of_16_bits_serves_too() {
+    let none = wgpu::Features::FLOAT32_BLENDABLE | wgpu::Features::TIMESTAMP_QUERY;
     let gpu = small_gpu(|descriptor| descriptor.required_features.remove(none));
     let judged = judge_on(&gpu, Family::Volumes {}, &court(), &above(), &[sun(), point()], 0.0);
     assert!(judged.seen.milliseconds > 0.0);

@@ -176,11 +176,10 @@ fn intervals(first: &Measurement, others: &[Measurement]) -> BTreeMap<&'static s
 }
 
 fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sure>>) -> String {
-    let Measurement { world, camera, triangles, width, height, adapter, truth, bytes, texels, .. } =
-        measurement;
+    let Measurement { world, camera, triangles, width, height, adapter, truth, texels, .. } = measurement;
     let mut text =
         format!("{world}, camera {camera}: {triangles} triangles, {width} x {height} on {adapter}\n");
-    text += &format!("{texels} texels, {bytes} bytes of shadow maps\n");
+    text += &memory_text(measurement);
     // Most worlds have no glass.
     let partly = if truth.partial > 0 { format!(", {} lit in part", truth.partial) } else { String::new() };
     text += &format!(
@@ -189,6 +188,9 @@ fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sur
     );
     for figure in figures::ALL.iter().filter(|figure| !figure.key.starts_with("truth")) {
         let Some(value) = figure.of(measurement) else { continue };
+        if figure.key == "texels" && *texels == 0 {
+            continue;
+        }
         let sure = intervals.and_then(|intervals| intervals.get(figure.key));
         let mean = sure.filter(|sure| sure.half_width_95 > 0.0).map_or_else(String::new, |sure| {
             format!("   mean {} ± {}", figure.text(sure.mean), figure.text(sure.half_width_95))
@@ -205,6 +207,15 @@ fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sur
         text += &format!("split {i}: {}\n", band_text(band));
     }
     text
+}
+
+/// What shadows are read from: maps, or another family with maps or without.
+fn memory_text(Measurement { texels, bytes, made_ready, .. }: &Measurement) -> String {
+    match (made_ready, texels) {
+        (None, texels) => format!("{texels} texels, {bytes} bytes of shadow maps\n"),
+        (Some(_), 0) => format!("{bytes} bytes, and no shadow maps\n"),
+        (Some(_), texels) => format!("{bytes} bytes, among them shadow maps of {texels} texels\n"),
+    }
 }
 
 fn foreign_text(pictures: Option<&ForeignError>) -> String {

@@ -4,7 +4,7 @@ use glam::{DMat4, DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::{Aabb, Projection, TexelExtent, texel_extent};
+use crate::{Aabb, Bias, Filter, Projection, TexelExtent, texel_extent};
 
 /// What the one view of a sun is made from, over these view depths.
 fn input<'a>(
@@ -15,7 +15,7 @@ fn input<'a>(
     depths: Range<f64>,
 ) -> ViewInput<'a> {
     let frame = Frame { camera, bounds, settings, reach: reach(settings), shadowed: depths.clone() };
-    frame.input(depths, LightFrustum::Parallel(direction), settings.resolution)
+    frame.input(depths, LightFrustum::Parallel(direction), &Allocation::of_sun(settings).tiles()[..1])
 }
 
 /// The camera, the world and the light's direction of V29.
@@ -135,4 +135,36 @@ proptest! {
         let longer = tight.texel_metres * f64::from(settings.resolution);
         prop_assert!(longer <= loose.max_element() * 1.0001 + 0.01, "{longer} m, but {loose} m before");
     }
+}
+
+/// The view depth from which receivers may ask each view, of splits that begin at 1, 2, 3 and 4.
+fn asked_from(settings: &Settings) -> Vec<f64> {
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    let camera = &Camera::looking(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y, projection, 1.0, 9.0).expect("a camera");
+    let bounds = &Bounds::of_world(Vec3::NEG_ONE, Vec3::ONE);
+    let frame = Frame { camera, bounds, settings, reach: reach(settings), shadowed: 1.0..9.0 };
+    let allocation = Allocation::of_sun(settings);
+    let asked = |split: usize| {
+        let tiles = &allocation.tiles()[..=split];
+        match frame.asked(split as f64 + 1.0, &LightFrustum::sun(Vec3::NEG_Y), tiles) {
+            Asked::Covered(depths) => depths.start,
+            Asked::OwnSlice => f64::NAN,
+        }
+    };
+    (0..4).map(asked).collect()
+}
+
+#[test]
+fn what_is_nearer_may_ask_a_map_unless_every_finer_one_is_padded_enough() {
+    let bias = Bias { normal: 0.0, ..Bias::default() };
+    // It reaches √2 · 3.5 texels and one more, of which 16 texels a side have four.
+    let filter = Filter::Pcf { size: 7 };
+    let settings = Settings { select: Select::Map, filter, bias, splits: 4, ..Settings::default() };
+    let of = |resolution, resolution_falloff| {
+        asked_from(&Settings { resolution, resolution_falloff, ..settings.clone() })
+    };
+    assert_eq!(of(1024, 1.0), [1.0, 2.0, 3.0, 4.0]);
+    assert_eq!(of(16, 1.0), [1.0; 4], "none is padded enough");
+    assert_eq!(of(64, 0.5), [1.0, 2.0, 1.0, 1.0], "the third and the fourth are not");
+    assert_eq!(of(16, 2.0), [1.0; 4], "the first is not");
 }

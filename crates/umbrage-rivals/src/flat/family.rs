@@ -2,17 +2,19 @@
 
 use umbrage_render::Gpu;
 use umbrage_scene::Scene;
+use web_time::Instant;
 
 use super::draws::{Draws, Thing, Way};
 use crate::buffers::Held;
-use crate::by_light::{self, ByLight, OfLight};
+use crate::by_light::{self, ByLight, OfLight, milliseconds_since};
 use crate::casters::Casters;
 use crate::error::RivalError;
 use crate::eye::Eye;
 use crate::floors::{Floor, Marker, Marks};
+use crate::left::Left;
 use crate::planes::{Plane, planes};
 use crate::receivers::Receivers;
-use crate::rival::{Left, Rival, Seen, View};
+use crate::rival::{Rival, Seen, View};
 use crate::shining::Shining;
 use crate::shot::Shot;
 use crate::stopwatch::Stopwatch;
@@ -72,6 +74,7 @@ impl ByLight for Flattened {
         view: &View<'_>,
         seen: &wgpu::TextureView,
     ) -> Result<OfLight, RivalError> {
+        let start = Instant::now();
         let Self { gpu, planes, held, marker, marks, draws, ways, stopwatch, size, .. } = self;
         let marks = match marks.take().filter(|marks| marks.size == view.size) {
             Some(same) => marks.insert(same),
@@ -94,9 +97,10 @@ impl ByLight for Flattened {
         let times = stopwatch.resolve(gpu, &mut encoder);
         let copies = marks.copy(gpu, &mut encoder)?;
         gpu.queue.submit([encoder.finish()]);
+        let listing = milliseconds_since(start);
         let visibility = marks.read(gpu, copies)?;
-        let milliseconds = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
-        Ok((visibility, milliseconds))
+        let on_device = times.map(|times| Stopwatch::read(gpu, times)).transpose()?;
+        Ok(OfLight { visibility, listing, on_device })
     }
 }
 

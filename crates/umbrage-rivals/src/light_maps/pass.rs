@@ -11,6 +11,7 @@ use web_time::Instant;
 use super::geometry::{Draw, Geometry, Piece, Surfaces, moving};
 use super::resources::{Targets, atlas, group, pipeline};
 use super::unwrap::{Placed, Unwrapped};
+use crate::by_light::milliseconds_since;
 use crate::error::RivalError;
 use crate::rival::{Seen, View};
 use crate::stopwatch::Stopwatch;
@@ -96,14 +97,21 @@ impl Pass {
         if width == 0 || height == 0 || width > most || height > most {
             return Err(RenderError::PictureSize { width, height, most }.into());
         }
+        let start = Instant::now();
         let sights = self.place(view)?;
         let targets = match self.targets.take().filter(|targets| targets.size == view.size) {
             Some(same) => same,
             None => Targets::new(&self.gpu, view.size)?,
         };
-        let mut seen = Seen { visibility: Vec::with_capacity(lights.len()), milliseconds: 0.0 };
+        let mut seen = Seen {
+            visibility: Vec::with_capacity(lights.len()),
+            milliseconds: 0.0,
+            listing_milliseconds: milliseconds_since(start),
+        };
         for lights in lights.chunks(LIGHTS_AT_ONCE) {
-            seen.milliseconds += self.draw(&targets, &sights, lights)?;
+            let [listing, on_device] = self.draw(&targets, &sights, lights)?;
+            seen.milliseconds += on_device;
+            seen.listing_milliseconds += listing;
             let picture = picture(&self.gpu, &targets.colour)?;
             let of = |channel: usize| {
                 let known = |pixel: &[u8; 4]| (pixel[3] == 255).then(|| f32::from(pixel[channel]) / 255.0);
@@ -141,13 +149,14 @@ impl Pass {
         Ok(Sights { clip_from_mesh, moving })
     }
 
-    /// Draws some lights at once, and waits for it: the milliseconds that it took.
+    /// Draws some lights at once, and waits for it: the milliseconds until that was handed over, and those that it took.
     fn draw(
         &mut self,
         targets: &Targets,
         sights: &Sights,
         lights: &[Option<usize>],
-    ) -> Result<f64, RenderError> {
+    ) -> Result<[f64; 2], RenderError> {
+        let start = Instant::now();
         let layer = |i: usize| match lights.get(i).copied().flatten() {
             Some(light) => (light * self.pages as usize) as f32,
             None => -1.0,
@@ -157,7 +166,6 @@ impl Pass {
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
         let label = wgpu::CommandEncoderDescriptor { label: Some("Pass::encoder") };
         let mut encoder = self.gpu.device.create_command_encoder(&label);
-        let start = Instant::now();
         let views = [&view(&targets.colour), &view(&targets.depth)];
         let mut pass = begin(&mut encoder, views, self.stopwatch.times_drawing());
         pass.set_pipeline(&self.pipeline);
@@ -178,11 +186,12 @@ impl Pass {
         drop(pass);
         let times = self.stopwatch.resolve(&self.gpu, &mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
+        let listing = milliseconds_since(start);
         if let Some(times) = times {
-            return Stopwatch::read(&self.gpu, times);
+            return Ok([listing, Stopwatch::read(&self.gpu, times)?]);
         }
         self.gpu.wait()?;
-        Ok(start.elapsed().as_secs_f64() * 1e3)
+        Ok([listing, milliseconds_since(start) - listing])
     }
 }
 

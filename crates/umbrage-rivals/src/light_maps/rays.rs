@@ -1,9 +1,9 @@
 //! How much of a light reaches what each texel shows, by the judge's rays past everything that stands still.
 //!
-//! A texel is the mean of the points that it shows, or of the first four where these are alike. Those that the light does not shine at do not count, and neither do those
-//! of a closed mesh that are turned away from it: nobody sees them from the side that is lit, and their darkness would reach
-//! over the terminator into what is lit. Nor do those inside of another body that casts: what stands on a ground would darken
-//! the ground around it.
+//! A texel is the mean of the points that it shows, or of the first four where these are alike. Those that the light does not shine
+//! at do not count, and neither do those of a closed mesh that are turned away from it: nobody sees them from the side that is lit,
+//! and their darkness would reach over the terminator into what is lit. Nor do those inside of another body that casts: what stands
+//! on a ground would darken the ground around it.
 
 use glam::DVec2;
 use rayon::prelude::*;

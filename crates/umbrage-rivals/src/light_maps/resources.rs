@@ -3,6 +3,8 @@
 use umbrage_render::{Gpu, RenderError};
 
 use super::unwrap::Unwrapped;
+use crate::buffers::bind;
+use crate::picture::texture;
 
 /// Depth is reversed: 1 near and 0 far.
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
@@ -19,13 +21,9 @@ pub(super) struct Targets {
 
 impl Targets {
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Result<Self, RenderError> {
-        let [width, height] = size;
-        let target = |format, usage| {
-            texture(gpu, [width, height, 1], format, usage | wgpu::TextureUsages::RENDER_ATTACHMENT)
-        };
         gpu.allocate("the picture", || {
-            let colour = target(COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC);
-            let depth = target(DEPTH_FORMAT, wgpu::TextureUsages::empty());
+            let colour = texture(gpu, "Targets::colour", size, COLOUR_FORMAT, wgpu::TextureUsages::COPY_SRC);
+            let depth = texture(gpu, "Targets::depth", size, DEPTH_FORMAT, wgpu::TextureUsages::empty());
             Ok::<_, RenderError>(Self { size, colour, depth })
         })
     }
@@ -50,32 +48,20 @@ pub(super) fn filled(gpu: &Gpu, label: &str, contents: &[u8], usage: wgpu::Buffe
     buffer
 }
 
-/// A texture of a width, a height and a number of layers.
-fn texture(
-    gpu: &Gpu,
-    [width, height, depth_or_array_layers]: [u32; 3],
-    format: wgpu::TextureFormat,
-    usage: wgpu::TextureUsages,
-) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("Pass::texture"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage,
-        view_formats: &[],
-    })
-}
-
 /// The atlas, one layer a page and light.
 pub(super) fn atlas(gpu: &Gpu, unwrapped: &Unwrapped, texels: &[u8]) -> wgpu::TextureView {
     let [width, height] = unwrapped.size;
     let layers = (texels.len() / (width as usize * height as usize)) as u32;
-    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-    let size = [width, height, layers.max(1)];
-    let atlas = texture(gpu, size, wgpu::TextureFormat::R8Unorm, usage);
+    let atlas = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("Pass::atlas"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: layers.max(1) },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::R8Unorm,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
     let rows =
         wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width), rows_per_image: Some(height) };
     let copied = wgpu::Extent3d { width, height, depth_or_array_layers: layers };
@@ -100,20 +86,12 @@ pub(super) fn group(
         ..Default::default()
     });
     let resources = [
-        places.as_entire_binding(),
-        wgpu::BindingResource::TextureView(atlas),
-        wgpu::BindingResource::Sampler(&bilinear),
-        lights.as_entire_binding(),
+        (0, places.as_entire_binding()),
+        (1, wgpu::BindingResource::TextureView(atlas)),
+        (2, wgpu::BindingResource::Sampler(&bilinear)),
+        (3, lights.as_entire_binding()),
     ];
-    let mut binding = 0..;
-    let entries = resources
-        .map(|resource| wgpu::BindGroupEntry { binding: binding.next().unwrap_or_default(), resource });
-    let layout = &pipeline.get_bind_group_layout(0);
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("Pass::group"),
-        layout,
-        entries: &entries,
-    })
+    bind(gpu, &pipeline.get_bind_group_layout(0), &resources)
 }
 
 /// The pipeline: everything is drawn from both sides, and the nearest is kept.

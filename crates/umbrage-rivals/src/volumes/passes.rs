@@ -1,5 +1,5 @@
-//! The passes of shadow volumes: which triangles face away, which edges are silhouettes, and the bodies that both bound, drawn into
-//! the stencil.
+//! The passes of shadow volumes: which triangles face away, which edges are silhouettes, and the bodies that both bound, which
+//! are counted.
 
 use glam::{UVec2, UVec4};
 use umbrage_render::Gpu;
@@ -7,7 +7,7 @@ use umbrage_scene::{Instance, Pose};
 
 use super::placed::Placed;
 use crate::buffers::{Held, bind, module, storage_bytes};
-use crate::canvas::depth_stencil_format;
+use crate::canvas::{DEPTH, count_format};
 use crate::casters::Casters;
 use crate::error::RivalError;
 use crate::eye::Eye;
@@ -28,8 +28,15 @@ pub(crate) struct Passes {
     draw: wgpu::Buffer,
     face: Step,
     side: Step,
-    volume: wgpu::RenderPipeline,
-    volume_group: wgpu::BindGroup,
+    /// What draws volumes before a pinhole, and before parallel rays.
+    volumes: [Drawn; 2],
+}
+
+/// A way to draw volumes.
+#[derive(Debug)]
+struct Drawn {
+    pipeline: wgpu::RenderPipeline,
+    group: wgpu::BindGroup,
 }
 
 /// A compute pass over chunks of all instances.
@@ -79,20 +86,15 @@ impl Passes {
         let geometry = [(6, &positions), (7, &triangles)];
         let face = step(&[MESH, FACING], "face", (&triangle_jobs, lists.triangle_jobs.len()), &geometry);
         let side = step(&[SIDES], "side", (&edge_jobs, lists.edge_jobs.len()), &[(8, &edges)]);
-        let volume = pipeline(gpu);
         let bound = [(0, shot), (1, &placed), (2, &pieces), (6, &positions), (7, &triangles), (8, &edges)];
         let bound = bound.map(|(number, buffer)| (number, buffer.as_entire_binding()));
-        let volume_group = bind(gpu, &volume.get_bind_group_layout(0), &bound);
-        Ok(Self {
-            instances: lists.instances,
-            shells: lists.shells,
-            placed,
-            draw,
-            face,
-            side,
-            volume,
-            volume_group,
-        })
+        let shader = module(gpu, "Passes::volume", &[SHOT, INSTANCE, MESH, VOLUME]);
+        let stages = [["volume", "count"], ["parallel_volume", "parallel_count"]];
+        let volumes = stages.map(|stages| {
+            let pipeline = pipeline(gpu, &shader, stages);
+            Drawn { group: bind(gpu, &pipeline.get_bind_group_layout(0), &bound), pipeline }
+        });
+        Ok(Self { instances: lists.instances, shells: lists.shells, placed, draw, face, side, volumes })
     }
 
     /// Says where everything stands in the next picture.
@@ -124,9 +126,10 @@ impl Passes {
     }
 
     /// Counts, at every pixel, how many volumes end behind it less how many begin there.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_pipeline(&self.volume);
-        pass.set_bind_group(0, &self.volume_group, &[]);
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, eye: &Eye) {
+        let Drawn { pipeline, group } = &self.volumes[usize::from(eye.is_parallel)];
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, group, &[]);
         pass.draw_indirect(&self.draw, 0);
     }
 }
@@ -199,40 +202,40 @@ impl Lists {
     }
 }
 
-/// Draws both faces of volumes at once. Where one is behind what is seen, it counts: up where the volume ends, down where it
-/// begins.
-fn pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
-    let shader = module(gpu, "Passes::volume", &[SHOT, INSTANCE, MESH, VOLUME]);
-    let counts = |depth_fail_op| wgpu::StencilFaceState {
-        compare: wgpu::CompareFunction::Always,
-        depth_fail_op,
-        ..wgpu::StencilFaceState::IGNORE
+/// Draws both faces of volumes at once, and adds what the fragment stage counts where one is behind what is seen.
+fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, [vertex, fragment]: [&str; 2]) -> wgpu::RenderPipeline {
+    let sum = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
     };
+    let blend = Some(wgpu::BlendState { color: sum, alpha: sum });
+    let target = wgpu::ColorTargetState { blend, ..count_format(gpu).into() };
     gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("Passes::volume"),
+        label: Some(vertex),
         layout: None,
         vertex: wgpu::VertexState {
-            module: &shader,
-            entry_point: Some("volume"),
+            module,
+            entry_point: Some(vertex),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: &[],
         },
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
-            format: depth_stencil_format(gpu),
+            format: DEPTH,
             depth_write_enabled: Some(false),
-            // Reversed: what is nearer is greater.
-            depth_compare: Some(wgpu::CompareFunction::Greater),
-            stencil: wgpu::StencilState {
-                front: counts(wgpu::StencilOperation::DecrementWrap),
-                back: counts(wgpu::StencilOperation::IncrementWrap),
-                read_mask: 0xff,
-                write_mask: 0xff,
-            },
+            // Reversed: what is farther is less.
+            depth_compare: Some(wgpu::CompareFunction::LessEqual),
+            stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
         multisample: wgpu::MultisampleState::default(),
-        fragment: None,
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(target)],
+        }),
         multiview_mask: None,
         cache: None,
     })

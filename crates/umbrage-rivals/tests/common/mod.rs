@@ -2,10 +2,12 @@
 
 #![allow(dead_code, reason = "each test file uses its own share")]
 
+pub mod site;
+
 use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
-use umbrage_judge::{Eye, Light as Shining, Pixel, Truth, World};
+use umbrage_judge::{Eye, Light as Shining, Pixel, Tally, Truth, World};
 use umbrage_render::Gpu;
 use umbrage_rivals::{Family, Left, Seen, View};
 use umbrage_scene::{Camera, Instance, Light, Material, Mesh, Pose, Primitive, Scene};
@@ -42,17 +44,23 @@ fn primitive(positions: Vec<Vec3>, indices: Vec<u32>) -> Primitive {
 
 /// A cube from −1 to 1, each side of which has its own corners.
 pub fn cube() -> Mesh {
-    let (mut positions, mut indices) = (Vec::new(), Vec::new());
+    Mesh::new("cube", &[sides()])
+}
+
+/// The sides of that cube.
+pub fn sides() -> Primitive {
+    let (mut positions, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
         for out in [axis, -axis] {
             let right = Vec3::new(out.y, out.z, out.x);
             let up = out.cross(right);
             let first = positions.len() as u32;
             positions.extend([out - right - up, out + right - up, out + right + up, out - right + up]);
+            normals.extend([out; 4]);
             indices.extend([0, 1, 2, 0, 2, 3].map(|i| first + i));
         }
     }
-    Mesh::new("cube", &[primitive(positions, indices)])
+    Primitive { normals, ..primitive(positions, indices) }
 }
 
 /// A ring about the y axis, of radius 1, and 0.3 thick from its middle.
@@ -95,8 +103,14 @@ pub fn ball() -> Mesh {
 
 /// A square from −1 to 1 in the xz plane, which faces up: an open mesh.
 pub fn square() -> Mesh {
-    let positions = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)].map(|(x, z)| Vec3::new(x, 0.0, z));
-    Mesh::new("square", &[primitive(positions.to_vec(), vec![0, 1, 2, 0, 2, 3])])
+    Mesh::new("square", &[flat(0.0)])
+}
+
+/// Such a square at a height.
+pub fn flat(height: f32) -> Primitive {
+    let corners = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)];
+    let positions = corners.map(|(x, z)| Vec3::new(x, height, z)).to_vec();
+    primitive(positions, vec![0, 1, 2, 0, 2, 3])
 }
 
 /// A world of some instances: of mesh 0, a cube, 1, a ring, 2, a square, and 3, a ball.
@@ -176,18 +190,33 @@ pub fn judge_on(
 ) -> Judged {
     let mut rival = family.ready(gpu, scene).expect("a small scene");
     let pose = Arc::new(Pose::at(seconds));
-    let view = View { camera, lights, pose: &pose, size: SIZE };
-    let seen = rival.see(&view).expect("a good view");
-    let mut served = scene.clone();
-    for left in rival.left() {
-        served.instances[left.instance].casts = false;
-    }
-    let world = World::new(&served, &pose);
-    let eye = Eye::new(camera, SIZE[0], SIZE[1]);
-    let truth = |light: &Light| Truth::new(&world, &eye, &Shining::at(light, &pose), f64::INFINITY);
-    let truths: Vec<Truth> = lights.iter().map(truth).collect();
+    let seen = rival.see(&View { camera, lights, pose: &pose, size: SIZE }).expect("a good view");
+    let truths: Vec<Truth> =
+        lights.iter().map(|light| truth(scene, rival.left(), camera, light, &pose)).collect();
     let pixels = truths.iter().map(|truth| truth.pixels.clone()).collect();
     Judged { seen, left: rival.left().to_vec(), truths, pixels }
+}
+
+/// What is true of a light in a world in which what is left casts nothing.
+pub fn truth(scene: &Scene, left: &[Left], camera: &Camera, light: &Light, pose: &Pose) -> Truth {
+    let [served, _] = Left::split(scene, left);
+    let eye = Eye::new(camera, SIZE[0], SIZE[1]);
+    Truth::new(&World::new(&served, pose), &eye, &Shining::at(light, pose), f64::INFINITY)
+}
+
+/// How wrong what was seen of a light is where it is known.
+pub fn tally(pixels: &[Pixel], seen: &[Option<f32>]) -> Tally {
+    let mut tally = Tally::default();
+    for (pixel, seen) in pixels.iter().zip(seen) {
+        seen.iter().for_each(|seen| tally.count(Some(*pixel), *seen));
+    }
+    tally
+}
+
+/// The pixel at which a point of the world is seen, by the first light.
+pub fn pixel_at(camera: &Camera, seen: &Seen, point: Vec3) -> Option<f32> {
+    let (x, y, _) = Eye::new(camera, SIZE[0], SIZE[1]).project(point.as_dvec3()).expect("in sight");
+    seen.visibility[0][y as usize * SIZE[0] as usize + x as usize]
 }
 
 /// The most pixels that may be wrong, of those that are judged.
@@ -197,15 +226,14 @@ impl Judged {
     /// The share of the judged pixels of a light of which something is said that are wrong, the number of those that are
     /// judged, and the share of these that are in shadow.
     pub fn wrong(&self, light: usize) -> (f64, usize, f64) {
-        let (mut wrong, mut judged, mut shadowed) = (0, 0, 0);
-        for (pixel, seen) in self.pixels[light].iter().zip(&self.seen.visibility[light]) {
-            let (Some(truth), Some(seen)) = (pixel.visibility(), seen) else { continue };
-            judged += 1;
-            shadowed += usize::from(truth < 0.5);
-            wrong += usize::from((truth < 0.5) != (*seen < 0.5));
-        }
-        let share = |count: usize| count as f64 / f64::from(judged.max(1) as u32);
-        (share(wrong), judged, share(shadowed))
+        let (pixels, seen) = (&self.pixels[light], &self.seen.visibility[light]);
+        let tally = tally(pixels, seen);
+        let is_shadowed = |(pixel, seen): &(&Pixel, &Option<f32>)| {
+            seen.is_some() && pixel.visibility().is_some_and(|visibility| visibility < 0.5)
+        };
+        let shadowed = pixels.iter().zip(seen).filter(is_shadowed).count();
+        let share = shadowed as f64 / f64::from(tally.judged.max(1) as u32);
+        (tally.mis_shadowed(), tally.judged, share)
     }
 
     /// Fails where more than [`MOST`] of a light's judged pixels are wrong, or too few are judged or in shadow to tell. With

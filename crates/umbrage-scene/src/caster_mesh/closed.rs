@@ -3,6 +3,10 @@
 
 use glam::DVec3;
 
+/// The least volume of a piece, as a share of that of a cube of its area's root: a sheet that was folded onto itself has none but what
+/// rounding makes.
+const LEAST_VOLUME: f64 = 1e-9;
+
 /// Whether every edge has as many triangles on one side as on the other, and each piece that hangs together is the right way
 /// out: the volume that it encloses is positive (by the divergence theorem).
 pub(super) fn is_closed(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> bool {
@@ -28,14 +32,18 @@ fn all_face_outward(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> bool {
         pieces.join(*b, *c);
     }
     let place = |vertex: u32| DVec3::from(positions[vertex as usize].map(f64::from));
-    let mut volumes = vec![0.0; positions.len()];
+    // The volume and the area of each piece, by its first vertex.
+    let mut sizes = vec![(0.0, 0.0); positions.len()];
     for [a, b, c] in triangles {
         let piece = pieces.of(*a);
         let from = place(piece);
         let [a, b, c] = [a, b, c].map(|vertex| place(*vertex) - from);
-        volumes[piece as usize] += a.dot(b.cross(c));
+        let (volume, area) = &mut sizes[piece as usize];
+        *volume += a.dot(b.cross(c)) / 6.0;
+        *area += (b - a).cross(c - a).length() / 2.0;
     }
-    triangles.iter().all(|[a, ..]| volumes[pieces.of(*a) as usize] > 0.0)
+    let encloses = |(volume, area): (f64, f64)| volume > LEAST_VOLUME * area.powf(1.5);
+    triangles.iter().all(|[a, ..]| encloses(sizes[pieces.of(*a) as usize]))
 }
 
 /// Vertices by the piece that they belong to: each names another of its piece, and the first names itself.

@@ -95,8 +95,9 @@ fn a_level_of_a_closed_mesh_is_closed_and_no_gap_opens_beside_what_is_left_out()
             let of_part = &made.indices[part.indices.start as usize..part.indices.end as usize];
             indices.extend(of_part.iter().map(|i| part.first_vertex + u32::from(*i)));
         }
-        let positions = made.positions.iter().map(|p| Vec3::from_array(*p)).collect();
-        Mesh { positions, indices, ..Mesh::new("", &[]) }.is_closed()
+        let positions: Vec<Vec3> = made.positions.iter().map(|p| Vec3::from_array(*p)).collect();
+        let (normals, uvs) = (vec![Vec3::Y; positions.len()], vec![glam::Vec2::ZERO; positions.len()]);
+        Mesh::new("", &[Primitive { positions, normals, uvs, indices, ..Primitive::default() }]).is_closed()
     };
     let made = CasterMesh::with_levels(&mesh, |_| true);
     assert!((0..made.levels.len()).all(|level| closed(&made, level)), "closed");

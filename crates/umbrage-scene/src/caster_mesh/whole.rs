@@ -12,7 +12,7 @@ pub struct WeldedMesh {
     /// The vertices of the triangles, counter-clockwise seen from outside; none names a vertex twice.
     pub triangles: Vec<[u32; 3]>,
     /// Whether it encloses something, and faces outward: every edge has as many triangles on one side as on the other, and
-    /// the volume within each piece that hangs together is positive.
+    /// the volume within each piece that hangs together is positive, by more than rounding makes of a sheet and its back.
     pub closed: bool,
 }
 

@@ -1,48 +1,19 @@
 //! Does a mesh have an inside? Where it has none, its back faces are no substitute for its front.
 
-use std::collections::HashMap;
-
-use glam::Vec3;
-
-use crate::{Mesh, Scene};
+use crate::{Mesh, Scene, WeldedMesh};
 
 impl Mesh {
-    /// Whether no edge has one triangle only. Vertices at the same place count as one, since normals and texture
-    /// coordinates part them; triangles without an inside do not count. Looks at every triangle.
+    /// Whether all of the mesh together is [closed](WeldedMesh::closed). Looks at every triangle.
     pub fn is_closed(&self) -> bool {
-        let mut numbers = HashMap::with_capacity(self.positions.len());
-        let welded: Vec<u32> = self
-            .positions
-            .iter()
-            .map(|&place| {
-                let next = numbers.len() as u32;
-                *numbers.entry(key(place)).or_insert(next)
-            })
-            .collect();
-        let mut edges: HashMap<(u32, u32), bool> = HashMap::with_capacity(self.indices.len() / 2);
-        for triangle in self.indices.as_chunks().0 {
-            let [a, b, c] = (*triangle as [u32; 3]).map(|i| welded[i as usize]);
-            if a == b || b == c || c == a {
-                continue;
-            }
-            for (from, to) in [(a, b), (b, c), (c, a)] {
-                edges.entry((from.min(to), from.max(to))).and_modify(|alone| *alone = false).or_insert(true);
-            }
-        }
-        edges.values().all(|alone| !alone)
+        WeldedMesh::of(self, |_| true).closed
     }
 }
 
 impl Scene {
-    /// The meshes that are not closed: see [`Mesh::is_closed`].
+    /// The meshes that are not closed: see [`Mesh::is_closed`]. Those without triangles are none of them.
     pub fn open_meshes(&self) -> impl Iterator<Item = &Mesh> {
-        self.meshes.iter().filter(|mesh| !mesh.is_closed())
+        self.meshes.iter().filter(|mesh| !mesh.indices.is_empty() && !mesh.is_closed())
     }
-}
-
-/// The same for the same place; 0 and −0 are one.
-fn key(place: Vec3) -> [u32; 3] {
-    (place + Vec3::ZERO).to_array().map(f32::to_bits)
 }
 
 #[cfg(test)]
@@ -81,9 +52,14 @@ mod tests {
     }
 
     #[test]
-    fn sheets_are_open_and_nothing_at_all_is_closed() {
-        assert!(!mesh(&[sheet(1.0, 1.0, 3, 0.2).painted(0)]).is_closed(), "a sheet");
-        assert!(mesh(&[]).is_closed(), "nothing");
+    fn a_sheet_is_open_folded_or_not_and_nothing_is_neither() {
+        let once = sheet(1.3, 0.7, 7, 0.2).painted(0);
+        assert!(!mesh(std::slice::from_ref(&once)).is_closed(), "a sheet");
+        let back = once.indices.as_chunks::<3>().0.iter().flat_map(|[a, b, c]| [*c, *b, *a]);
+        let folded = Primitive { indices: once.indices.iter().copied().chain(back).collect(), ..once };
+        assert!(!mesh(&[folded]).is_closed(), "its back is its front");
+        let scene = Scene { meshes: vec![mesh(&[])], ..Scene::default() };
+        assert_eq!(scene.open_meshes().count(), 0, "nothing");
     }
 
     #[test]
