@@ -25,7 +25,7 @@ fn umbrage_votes(lookup: UmbrageLookup, corner: vec2f) -> UmbrageVotes {
     let stored = umbrage_stored_around(lookup.view_index, inside);
     let biased = lookup.compare_depth + lookup.gradient.x * right + lookup.gradient.y * down;
     let bent = lookup.bend * max(max(abs(right), abs(down)) - UMBRAGE_OWN_TEXEL, vec4f(0.0));
-    let lit = stored <= biased - lookup.bias;
+    let lit = stored <= biased + bent - (1.0 - 0.5) * (lookup.bias + bent);
     let dark = stored > biased + bent;
     return UmbrageVotes(all(lit), all(dark));
 }
