@@ -33,7 +33,7 @@ impl Preset {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Allocation, DepthFormat, Filter, Footprint, Pcss, Settings};
+    use crate::{Allocation, DepthFormat, Exact, Filter, Footprint, Pcss, Settings};
 
     #[test]
     fn every_preset_is_valid_and_its_name_says_its_maps() {
@@ -54,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn our_own_are_seven_ways_in_three_sizes() {
+    fn our_own_are_nine_ways_in_three_sizes() {
         let pcss = |resolution: u32, blockers, taps| {
             Filter::Pcss(Pcss { blockers, taps, max_texels: resolution as f32 / 32.0, ..Pcss::default() })
         };
@@ -80,13 +80,22 @@ mod tests {
             let sampled = Preset::named(&format!("sdsm{suffix}")).map(|preset| (preset.settings)());
             let wanted = Settings { resolution, fit: crate::Fit::Sample, lambda: 1.0, ..default.clone() };
             assert_eq!(sampled, Some(wanted), "{suffix}");
+            for (name, maps) in [("exact", "default"), ("soft-exact", "soft")] {
+                let of = |name| Preset::named(&format!("{name}{suffix}")).map(|preset| (preset.settings)());
+                let (got, maps) = (of(name).unwrap_or_default(), of(maps).unwrap_or_default());
+                assert_eq!(
+                    (got.exact, got.resolution),
+                    (Exact::Undecided, maps.resolution),
+                    "{name}{suffix}"
+                );
+            }
         }
     }
 
     #[test]
     fn our_own_stay_within_the_memory_that_their_names_say() {
         let ours = PRESETS.iter().filter(|preset| preset.source.starts_with("this project"));
-        assert_eq!(ours.clone().count(), 21, "four for hard light and three for soft, in three sizes");
+        assert_eq!(ours.clone().count(), 27, "five for hard light and four for soft, in three sizes");
         for preset in ours {
             let mib = match preset.name.rsplit_once('-') {
                 Some((_, "4mib")) => 4,

@@ -27,6 +27,19 @@ fn umbrage_distance_to_light(light: u32, world_position: vec3f, longest: f32) ->
     return min(longest, distance(umbrage_frame.lights[light].place, world_position));
 }
 
+/// Farther than all that a light shines on, metres.
+const UMBRAGE_FARTHEST_LIGHT: f32 = 1e18;
+
+/// The way from a world-space point to the point of a light that lies aside of its middle, in radii of the light: metres for a
+/// lamp, and of no certain length for a sun.
+fn umbrage_light_point(light: u32, world_position: vec3f, aside: vec3f) -> vec3f {
+    let moved = umbrage_frame.lights[light].place + aside * umbrage_frame.lights[light].size;
+    if umbrage_frame.lights[light].kind == UMBRAGE_LIGHT_SUN {
+        return moved * UMBRAGE_FARTHEST_LIGHT;
+    }
+    return moved - world_position;
+}
+
 /// Whether the views of a light are the faces of a cube, +X, −X, +Y, −Y, +Z, −Z, and not slices of the camera's depth.
 fn umbrage_has_faces(light: u32) -> bool {
     return umbrage_frame.lights[light].kind == UMBRAGE_LIGHT_POINT;

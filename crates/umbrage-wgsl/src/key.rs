@@ -149,9 +149,13 @@ impl ShaderKey {
             ("umbrage_lit", lit),
             ("umbrage_filter", modules::filter_module(self.filter, filter)),
         ];
+        // Lights have a size where the filter searches for blockers.
+        let is_soft = self.filter == "pcss";
         if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, bent } }) = self.traced {
             choices.extend([
                 ("umbrage_traced", if bent { "exact/traced_or_looked_up" } else { "exact/traced" }),
+                ("umbrage_rays", if is_soft { "exact/rays_disc" } else { "exact/rays_middle" }),
+                ("umbrage_sure", if is_soft { "exact/decided_soft" } else { "exact/decided_hard" }),
                 ("umbrage_covered", if covers { "exact/covered_cut" } else { "exact/covered_solid" }),
             ]);
         }

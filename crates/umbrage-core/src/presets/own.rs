@@ -1,9 +1,9 @@
-//! This project's own: seven ways to have shadows, each in three sizes of memory.
+//! This project's own: nine ways to have shadows, each in three sizes of memory.
 
 use super::preset::Preset;
 use crate::filter::{Filter, Footprint, Pcss};
 use crate::fit::Fit;
-use crate::settings::{DepthFormat, Settings};
+use crate::settings::{DepthFormat, Exact, Settings};
 
 /// A way in maps of 16, 4 and 64 MiB. Where `how` is `within`, there are three maps, which fill no more than three quarters of
 /// that.
@@ -30,7 +30,7 @@ macro_rules! in_three_sizes {
 }
 
 /// The presets of this project, the default first.
-pub(super) const OWN: [[Preset; 3]; 7] = [
+pub(super) const OWN: [[Preset; 3]; 9] = [
     in_three_sizes!("default", "in", "four maps in 16 MiB, a bell of 3 × 3 lookups", Settings::default()),
     in_three_sizes!("fast", "within", "three maps within 16 MiB, one lookup of the sampler's size", fast()),
     in_three_sizes!(
@@ -62,6 +62,18 @@ pub(super) const OWN: [[Preset; 3]; 7] = [
         "in",
         "four maps in 16 MiB, fitted to what is seen, with logarithmic splits (Lauritzen et al. 2011)",
         sampled()
+    ),
+    in_three_sizes!(
+        "exact",
+        "in",
+        "four maps in 16 MiB, and rays where they are not sure (Hertel et al. 2009)",
+        Settings { exact: Exact::Undecided, ..Settings::default() }
+    ),
+    in_three_sizes!(
+        "soft-exact",
+        "in",
+        "penumbrae of a sun of 0.53°, four maps in 16 MiB, and 16 rays where they are not sure",
+        Settings { exact: Exact::Undecided, ..soft(32, 16) }
     ),
 ];
 

@@ -1,4 +1,4 @@
-// A ray from a point to a light, through all that casts.
+// A ray from a point toward a light, through all that casts.
 //
 // It walks the hierarchy over instances, and in each instance whose box it meets the hierarchy of its mesh, in that mesh's own
 // space. Nodes lie in depth-first order with a link past each subtree, so no stack is needed. Rays beside each other look for
@@ -8,8 +8,6 @@ import chosen::umbrage_covered;
 import package::exact::occluders::{umbrage_corner, umbrage_instance, umbrage_node, umbrage_top_node, umbrage_triangle};
 import package::exact::ray::{UMBRAGE_ROUNDING, UmbrageRay, umbrage_box_ray, umbrage_meets};
 import package::exact::triangle::umbrage_hit;
-import package::frame::umbrage_frame;
-import package::light::{umbrage_direction_to_light, umbrage_distance_to_light};
 
 /// What a ray has found.
 struct UmbrageTrace {
@@ -19,14 +17,9 @@ struct UmbrageTrace {
     passed_bent: bool,
 }
 
-/// Farther than all that casts, metres.
-const UMBRAGE_FARTHEST_CASTER: f32 = 1e18;
-
-/// What lies between a world-space point and a light.
-fn umbrage_trace(light: u32, world_position: vec3f) -> UmbrageTrace {
-    let to_light = umbrage_direction_to_light(light, world_position);
-    let lamp = umbrage_distance_to_light(light, world_position, UMBRAGE_FARTHEST_CASTER);
-    let end = lamp - umbrage_frame.lights[light].near;
+/// What lies between a world-space point and a light that lies in a unit direction, `lamp` metres away. Nothing casts beyond
+/// `end`, metres from the point.
+fn umbrage_trace(world_position: vec3f, to_light: vec3f, lamp: f32, end: f32) -> UmbrageTrace {
     let slack = UMBRAGE_ROUNDING * length(world_position);
     let world_ray = umbrage_box_ray(world_position, to_light, vec3f(0.0));
     var trace = UmbrageTrace(1.0, false);

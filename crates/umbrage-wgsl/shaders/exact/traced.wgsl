@@ -1,9 +1,9 @@
-// The ray from a receiver to a light, where rays know all casters.
+// Rays from a receiver to a light, where rays know all casters.
 
-import package::exact::trace::umbrage_trace;
+import chosen::umbrage_rays;
 import package::receiver::lookup::UmbrageReceiver;
 
 /// How much of a light reaches a receiver.
 fn umbrage_traced(light: u32, receiver: UmbrageReceiver) -> f32 {
-    return umbrage_trace(light, receiver.position).share;
+    return umbrage_rays(light, receiver).share;
 }

@@ -1,13 +1,13 @@
 // The ray from a receiver to a light, where some casters are bent: rays know the box around each, and what has passed one is the
 // maps' to say.
 
-import package::exact::trace::umbrage_trace;
+import chosen::umbrage_rays;
 import package::receiver::by_maps::umbrage_by_maps;
 import package::receiver::lookup::UmbrageReceiver;
 
 /// How much of a light reaches a receiver.
 fn umbrage_traced(light: u32, receiver: UmbrageReceiver) -> f32 {
-    let traced = umbrage_trace(light, receiver.position);
+    let traced = umbrage_rays(light, receiver);
     var share = traced.share;
     if traced.passed_bent && share > 0.0 {
         share = min(share, umbrage_by_maps(light, receiver));

@@ -1,8 +1,8 @@
 // Receivers are traced of which the map is not sure (Hertel, Hormann and Westermann 2009): those around which its texels
 // disagree, and those that no map serves.
 
-import chosen::umbrage_traced;
-import package::exact::decided::{UMBRAGE_UNDECIDED, umbrage_decided};
+import chosen::{umbrage_sure, umbrage_traced};
+import package::exact::decided::UMBRAGE_UNDECIDED;
 import package::exact::turned_away::UMBRAGE_TURNED_AWAY;
 import package::frame::umbrage_frame;
 import package::receiver::fade::umbrage_faded;
@@ -18,7 +18,7 @@ fn umbrage_reaching(light: u32, receiver: UmbrageReceiver) -> f32 {
     let lookup = umbrage_lookup_of(light, receiver.position, receiver.normal);
     var visible = UMBRAGE_UNDECIDED;
     if lookup.view_index != UMBRAGE_NO_VIEW {
-        visible = umbrage_decided(lookup);
+        visible = umbrage_sure(lookup, receiver);
     }
     if visible == UMBRAGE_UNDECIDED {
         visible = umbrage_traced(light, receiver);
