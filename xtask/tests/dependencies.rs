@@ -8,7 +8,8 @@ use cargo_metadata::{DependencyKind, MetadataCommand};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("umbrage-core", &["arrayvec", "glam", "serde"]),
     ("umbrage-wgsl", &["umbrage-core", "encase", "thiserror", "glam"]),
-    ("umbrage", &["umbrage-core", "umbrage-wgsl", "wgpu", "thiserror", "glam"]),
+    ("umbrage-occluders", &["bytemuck", "glam", "obvhs", "rayon"]),
+    ("umbrage", &["umbrage-core", "umbrage-wgsl", "umbrage-occluders", "bytemuck", "wgpu", "thiserror", "glam"]),
     (
         "umbrage-scene",
         &[
