@@ -9,7 +9,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("umbrage-core", &["arrayvec", "glam", "serde"]),
     ("umbrage-wgsl", &["umbrage-core", "encase", "thiserror", "glam"]),
     ("umbrage-occluders", &["bytemuck", "glam", "obvhs", "rayon"]),
-    ("umbrage", &["umbrage-core", "umbrage-wgsl", "umbrage-occluders", "bytemuck", "wgpu", "thiserror", "glam"]),
+    (
+        "umbrage",
+        &["umbrage-core", "umbrage-wgsl", "umbrage-occluders", "bytemuck", "wgpu", "thiserror", "glam"],
+    ),
     (
         "umbrage-scene",
         &[

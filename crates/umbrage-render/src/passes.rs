@@ -9,4 +9,5 @@ pub(crate) mod map_picture;
 pub(crate) mod prepass;
 pub(crate) mod query;
 pub(crate) mod receivers;
+pub(crate) mod resolving;
 pub(crate) mod sky;

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use umbrage::{Contact, contact_wgsl};
 
-pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, vertex_entry};
+pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, places, vertex_entry};
 
 use crate::frame::{Mark, Show};
 
@@ -55,6 +55,8 @@ pub(crate) enum Visibility {
     Full,
     /// A number a pixel and light, as group 3.
     Given,
+    /// A number a pixel and light, as group 3, that was found for the whole picture.
+    Resolved,
     /// The shadow maps, as group 1.
     Maps,
     /// The shadow maps, and the camera's depth, as group 3.
@@ -74,12 +76,15 @@ impl Look {
         }
     }
 
-    /// Where its shader takes visibility from, with contact shadows or without.
-    pub fn visibility(self, has_contact: bool) -> Visibility {
+    /// Where its shader takes visibility from: with contact shadows or without, and where it is found for the whole picture.
+    pub fn visibility(self, has_contact: bool, is_resolved: bool) -> Visibility {
         match self {
             Self::Unshadowed => Visibility::Full,
             Self::Given => Visibility::Given,
             Self::Marked(Mark::Extents) => Visibility::Unused,
+            Self::World | Self::Marked(Mark::Splits | Mark::Texels) | Self::Visibility if is_resolved => {
+                Visibility::Resolved
+            }
             Self::World | Self::Marked(Mark::Splits | Mark::Texels) | Self::Visibility if has_contact => {
                 Visibility::MapsAndContact
             }
@@ -123,9 +128,9 @@ pub(crate) fn receivers(
     around: Around,
     covering: Covering,
     receiver: &str,
-    contact: Option<&Contact>,
+    (contact, is_resolved): (Option<&Contact>, bool),
 ) -> String {
-    let visibility = visibility(look.visibility(contact.is_some()), contact);
+    let visibility = visibility(look.visibility(contact.is_some(), is_resolved), contact);
     let mut text = [receiver, SCENE, RECEIVER].join("\n") + &visibility;
     if look.has_materials() {
         text += &surfaces(finish, around);
@@ -183,7 +188,9 @@ fn visibility(from: Visibility, contact: Option<&Contact>) -> String {
     match from {
         Visibility::Unused => String::new(),
         Visibility::Full => include_str!("../shaders/visibility/full.wgsl").to_owned(),
-        Visibility::Given => include_str!("../shaders/visibility/given.wgsl").to_owned(),
+        Visibility::Given | Visibility::Resolved => {
+            include_str!("../shaders/visibility/given.wgsl").to_owned()
+        }
         Visibility::Maps => include_str!("../shaders/visibility/maps.wgsl").to_owned(),
         Visibility::MapsAndContact => {
             let march = contact.map(|contact| contact_wgsl(contact, 3)).unwrap_or_default();
@@ -276,9 +283,18 @@ mod tests {
             check(&casters(&caster_wgsl(0), cover));
             check(&casters(&second_caster_wgsl(0), cover));
         }
-        [depth(Cover::Solid), depth(Cover::Cut), lit_sky(), area_sum(), deform(), map_picture(&map_wgsl())]
-            .iter()
-            .for_each(|text| check(text));
+        [
+            depth(Cover::Solid),
+            depth(Cover::Cut),
+            places(Cover::Solid),
+            places(Cover::Cut),
+            lit_sky(),
+            area_sum(),
+            deform(),
+            map_picture(&map_wgsl()),
+        ]
+        .iter()
+        .for_each(|text| check(text));
         [Around::Sky, Around::Picture].iter().for_each(|around| check(&sky(*around)));
         for select in [Select::Depth, Select::ClipDepth, Select::Map] {
             for filter in [Filter::Hard {}, Filter::Bilinear {}, Filter::Pcf { size: 5 }] {
@@ -288,9 +304,10 @@ mod tests {
                 for look in LOOKS {
                     for (finish, around) in FINISHES {
                         for covering in COVERINGS {
-                            check(&receivers(look, finish, around, covering, &shadows, None));
+                            check(&receivers(look, finish, around, covering, &shadows, (None, false)));
+                            check(&receivers(look, finish, around, covering, &shadows, (None, true)));
                             let contact = Some(&Contact::default());
-                            check(&receivers(look, finish, around, covering, &shadows, contact));
+                            check(&receivers(look, finish, around, covering, &shadows, (contact, false)));
                         }
                     }
                 }
@@ -300,7 +317,7 @@ mod tests {
 
     #[test]
     fn the_shader_of_the_plain_picture_holds_nothing_of_the_others() {
-        let text = receivers(Look::World, Finish::Matte, Around::Sky, Covering::Solid, "", None);
+        let text = receivers(Look::World, Finish::Matte, Around::Sky, Covering::Solid, "", (None, false));
         for word in [
             "split_colour",
             "footprint",

@@ -3,6 +3,7 @@
 
 use umbrage::Shadows;
 
+use crate::cover::Cover;
 use crate::drawn::Planned;
 use crate::draws::Draw;
 use crate::error::RenderError;
@@ -11,8 +12,9 @@ use crate::gpu::Gpu;
 use crate::light::FrameLight;
 use crate::passes::contact_depth::{self, ContactDepth};
 use crate::passes::given::Given;
-use crate::passes::prepass::Prepass;
+use crate::passes::prepass::{Prepass, PrepassKind};
 use crate::passes::receivers::Receivers;
+use crate::passes::resolving::Resolving;
 use crate::passes::sky::Sky;
 use crate::scene_buffers::SceneBuffers;
 use crate::scene_uniform::{Exposed, SceneUniform, View};
@@ -24,18 +26,29 @@ use crate::timing::{PassTimer, SHADE};
 /// What a pipeline that draws into targets depends on beside its shader.
 type Kind = (Encoding, u32);
 
+/// What is done before receivers are shaded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Before {
+    /// Whether the depth of what is seen is drawn.
+    depth: bool,
+    /// Whether visibility is found for the whole picture.
+    resolved: bool,
+}
+
 /// The passes that make a picture of a scene whose shadow maps are drawn.
 #[derive(Debug)]
 pub(crate) struct Shading {
     uniform: SceneUniform,
     /// They depend on whether the depth comes first, and on the settings of shadows too.
-    receivers: Vec<((Look, Kind, bool), Receivers)>,
+    receivers: Vec<((Look, Kind, Before), Receivers)>,
     skies: Vec<(Kind, Sky)>,
     prepasses: Vec<Prepass>,
     contact: Option<ContactDepth>,
     /// The depth that shadows are fitted to where a target has none of one sample a pixel, with its size.
     seen: Option<([u32; 2], wgpu::TextureView)>,
     given: Option<Given>,
+    /// It depends on the settings of shadows too.
+    resolving: Option<Resolving>,
     metered: Metered,
 }
 
@@ -78,6 +91,7 @@ impl Shading {
             contact: None,
             seen: None,
             given: None,
+            resolving: None,
             metered: Metered::default(),
         })
     }
@@ -85,15 +99,16 @@ impl Shading {
     /// Forgets what depends on the shaders' text and on the bind group of shadows.
     pub fn forget_receivers(&mut self) {
         self.receivers.clear();
+        self.resolving = None;
     }
 
-    /// Makes what a picture needs and there is not yet, whether its depth comes first or not.
+    /// Makes what a picture needs and there is not yet.
     fn make_ready(
         &mut self,
         Inputs { gpu, scene, shadows }: Inputs<'_>,
         show: &Show,
         target: &Target,
-        after_depth: bool,
+        before: Before,
     ) -> Result<(), RenderError> {
         let kind = (target.shape.encoding, target.shape.samples);
         if !self.skies.iter().any(|(of, _)| *of == kind) {
@@ -101,26 +116,29 @@ impl Shading {
             self.skies.push((kind, Sky::new(gpu, &self.uniform, around, kind.0, kind.1)));
         }
         let Some(look) = Look::of(show) else { return Ok(()) };
-        if after_depth {
-            make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), kind.1);
+        if before.depth {
+            let kind = PrepassKind { samples: kind.1, places: before.resolved };
+            make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), kind);
         }
-        let extra = match look.visibility(shadows.settings().contact.is_some()) {
+        let extra = match look.visibility(shadows.settings().contact.is_some(), before.resolved) {
             Visibility::Unused | Visibility::Full | Visibility::Maps => None,
             Visibility::Given => Some(match &mut self.given {
                 Some(given) => &given.layout,
                 none => &none.insert(Given::new(gpu)?).layout,
             }),
             Visibility::MapsAndContact => {
-                make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), 1);
+                make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), DEPTH_ALONE);
                 let contact = self.contact.get_or_insert_with(|| ContactDepth::new(gpu));
                 contact.make_ready(gpu, target);
                 Some(contact.layout())
             }
+            Visibility::Resolved => self.resolving.as_ref().map(|resolving| &resolving.layout),
         };
-        let of = (look, kind, after_depth);
+        let of = (look, kind, before);
         if !self.receivers.iter().any(|(made_for, _)| *made_for == of) {
             let bound = (&self.uniform, scene, shadows);
-            self.receivers.push((of, Receivers::new(gpu, look, kind, after_depth, bound, extra)));
+            self.receivers
+                .push((of, Receivers::new(gpu, look, kind, (before.depth, before.resolved), bound, extra)));
         }
         Ok(())
     }
@@ -136,7 +154,7 @@ impl Shading {
         show: &Show,
         target: &Target,
     ) -> Result<wgpu::TextureView, RenderError> {
-        make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), 1);
+        make_prepass(&mut self.prepasses, gpu, (&self.uniform, scene), DEPTH_ALONE);
         self.upload(gpu, scene, planned, show, target)?;
         let depth = if sees_in(target, planned) {
             target.depth.clone()
@@ -146,10 +164,10 @@ impl Shading {
             self.seen.insert(seen.unwrap_or_else(|| (size, contact_depth::depth(gpu, size)))).1.clone()
         };
         let draws = with_depth(planned, Look::of(show));
-        if let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.samples == 1) {
+        if let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.kind == DEPTH_ALONE) {
             timer.pass(SHADE, encoder, |encoder, timestamps| {
                 let bound = (&self.uniform, scene);
-                prepass.record(encoder, &depth, timestamps, bound, &planned.numbers.buffer, draws);
+                prepass.record(encoder, (&depth, None), timestamps, bound, &planned.numbers.buffer, draws);
             });
         }
         Ok(depth)
@@ -167,47 +185,62 @@ impl Shading {
     ) -> Result<(), RenderError> {
         let Inputs { gpu, scene, shadows } = inputs;
         let look = Look::of(show);
-        let visibility = look.map(|look| look.visibility(shadows.settings().contact.is_some()));
-        let has_depth = is_seen && look.is_some() && sees_in(target, planned);
-        let after_depth = has_depth || comes_depth_first(planned, visibility, target);
-        self.make_ready(inputs, show, target, after_depth)?;
+        let resolved = self.resolves(inputs, look, planned, target);
+        let visibility = look.map(|look| look.visibility(shadows.settings().contact.is_some(), resolved));
+        let has_depth = is_seen && look.is_some() && sees_in(target, planned) && !resolved;
+        let depth = resolved || has_depth || comes_depth_first(planned, visibility, target);
+        let before = Before { depth, resolved };
+        self.make_ready(inputs, show, target, before)?;
         self.upload(gpu, scene, planned, show, target)?;
         let (draws, veils): (&[Draw], &[Draw]) =
             if look.is_some() { (planned.receivers(), planned.veils()) } else { (&[], &[]) };
         let numbers = &planned.numbers.buffer;
-        let mut draw_depth = |depth: &wgpu::TextureView, samples: u32| {
-            let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.samples == samples) else {
+        let draw_depth = |encoder: &mut wgpu::CommandEncoder,
+                          depth: &wgpu::TextureView,
+                          kind: PrepassKind,
+                          places: Option<&wgpu::TextureView>| {
+            let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.kind == kind) else {
                 return;
             };
             timer.pass(SHADE, encoder, |encoder, timestamps| {
                 let bound = (&self.uniform, scene);
-                prepass.record(encoder, depth, timestamps, bound, numbers, with_depth(planned, look));
+                let into = (depth, places);
+                prepass.record(encoder, into, timestamps, bound, numbers, with_depth(planned, look));
             });
         };
         let samples = target.shape.samples;
-        if after_depth && !has_depth {
-            draw_depth(&target.depth, samples);
+        if before.depth && !has_depth {
+            let size = target.shape.size;
+            let places = self.resolving.as_mut().filter(|_| resolved).map(|of| of.places(gpu, size));
+            draw_depth(encoder, &target.depth, PrepassKind { samples, places: resolved }, places);
+        }
+        if let Some(resolving) = self.resolving.as_mut().filter(|_| resolved) {
+            let lights = planned.plan.lights().len();
+            timer.compute_pass(SHADE, encoder, |encoder, timestamps| {
+                resolving.record(gpu, encoder, shadows, lights, timestamps);
+            });
         }
         let extra = match visibility {
             None | Some(Visibility::Unused | Visibility::Full | Visibility::Maps) => None,
+            Some(Visibility::Resolved) => self.resolving.as_ref().and_then(Resolving::group),
             Some(Visibility::Given) => self.given.as_ref().map(|given| &given.group),
             Some(Visibility::MapsAndContact) => self.contact.as_ref().and_then(|contact| {
                 contact.upload(gpu, &planned.camera.relative_to(planned.origin));
                 if samples > 1 {
-                    draw_depth(contact.depth(target), 1);
+                    draw_depth(encoder, contact.depth(target), DEPTH_ALONE, None);
                 }
                 contact.group(target)
             }),
         };
-        let before = match (after_depth, samples) {
+        let depth_before = match (before.depth, samples) {
             (false, _) => DepthBefore::Nothing,
             (true, 1) => DepthBefore::All,
             (true, _) => DepthBefore::Some,
         };
         let kind = (target.shape.encoding, samples);
         timer.pass(SHADE, encoder, |encoder, timestamps| {
-            let mut pass = target.begin(encoder, before, timestamps);
-            let of = look.map(|look| (look, kind, after_depth));
+            let mut pass = target.begin(encoder, depth_before, timestamps);
+            let of = look.map(|look| (look, kind, before));
             let receivers = self.receivers.iter().find(|(made_for, _)| Some(*made_for) == of);
             let record = |pass: &mut wgpu::RenderPass<'_>, draws: &[Draw]| {
                 if let Some((_, receivers)) = receivers {
@@ -222,6 +255,26 @@ impl Shading {
             record(&mut pass, veils);
         });
         Ok(())
+    }
+
+    /// Whether visibility is found for the whole picture before it is shaded: where some receivers are traced, a pixel is one
+    /// receiver, and each surface hides what is behind it. Makes the steps for that.
+    fn resolves(
+        &mut self,
+        Inputs { gpu, scene, shadows }: Inputs<'_>,
+        look: Option<Look>,
+        planned: &Planned,
+        target: &Target,
+    ) -> bool {
+        let traces = shadows.key().traces() && shadows.settings().contact.is_none();
+        let asks = look.is_some_and(|look| look.visibility(false, false) == Visibility::Maps);
+        let is_whole = target.shape.samples == 1
+            && (!scene.covers.contains(&Cover::Veil) || look.is_some_and(|look| !look.blends()));
+        let wanted = traces && asks && is_whole && !planned.plan.lights().is_empty();
+        if wanted && self.resolving.is_none() {
+            self.resolving = Resolving::new(gpu, shadows);
+        }
+        wanted && self.resolving.is_some()
     }
 
     /// Tells the device what all passes over the scene read.
@@ -258,15 +311,18 @@ fn with_depth(planned: &Planned, look: Option<Look>) -> [&[Draw]; 2] {
     [planned.receivers(), if look.is_some_and(Look::blends) { &[] } else { planned.veils() }]
 }
 
-/// Makes the pipelines for so many samples a pixel where there are none.
+/// The depth of one sample a pixel, and nothing beside it.
+const DEPTH_ALONE: PrepassKind = PrepassKind { samples: 1, places: false };
+
+/// Makes the pipelines of a kind where there are none.
 fn make_prepass(
     prepasses: &mut Vec<Prepass>,
     gpu: &Gpu,
     bound: (&SceneUniform, &SceneBuffers),
-    samples: u32,
+    kind: PrepassKind,
 ) {
-    if prepasses.iter().all(|prepass| prepass.samples != samples) {
-        prepasses.push(Prepass::new(gpu, bound, samples));
+    if prepasses.iter().all(|prepass| prepass.kind != kind) {
+        prepasses.push(Prepass::new(gpu, bound, kind));
     }
 }
 
@@ -282,7 +338,7 @@ fn comes_depth_first(planned: &Planned, visibility: Option<Visibility>, target: 
         None => return false,
         Some(Visibility::MapsAndContact) if target.shape.samples == 1 => return true,
         Some(Visibility::MapsAndContact | Visibility::Maps) => planned.plan.lights().len() as u64,
-        Some(Visibility::Unused | Visibility::Full | Visibility::Given) => 0,
+        Some(Visibility::Unused | Visibility::Full | Visibility::Given | Visibility::Resolved) => 0,
     };
     let pixels = u64::from(target.shape.size[0]) * u64::from(target.shape.size[1]);
     let triangles: u64 = planned.receivers().iter().map(Draw::triangles).sum();

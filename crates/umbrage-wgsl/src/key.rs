@@ -151,9 +151,11 @@ impl ShaderKey {
         ];
         // Lights have a size where the filter searches for blockers.
         let is_soft = self.filter == "pcss";
-        if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, bent } }) = self.traced {
+        if let Some(Traced { undecided, occluders: OccluderTraits { covers, bent } }) = self.traced {
             choices.extend([
                 ("umbrage_traced", if bent { "exact/traced_or_looked_up" } else { "exact/traced" }),
+                ("umbrage_known", if undecided { "exact/undecided" } else { "exact/always" }),
+                ("umbrage_reaching_by_rays", "exact/reaching"),
                 ("umbrage_rays", if is_soft { "exact/rays_disc" } else { "exact/rays_middle" }),
                 ("umbrage_sure", if is_soft { "exact/decided_soft" } else { "exact/decided_hard" }),
                 ("umbrage_covered", if covers { "exact/covered_cut" } else { "exact/covered_solid" }),
@@ -190,11 +192,7 @@ impl Traced {
 
     /// The module that says how much of a light reaches a receiver.
     fn module(traced: Option<Self>) -> &'static str {
-        match traced {
-            None => "exact/off",
-            Some(Self { undecided: true, .. }) => "exact/undecided",
-            Some(Self { undecided: false, .. }) => "exact/always",
-        }
+        if traced.is_some() { "exact/reaching" } else { "exact/off" }
     }
 }
 

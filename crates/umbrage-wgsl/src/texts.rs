@@ -11,6 +11,9 @@ use crate::link::{Recipe, link};
 /// Modules that every receiver's text holds: [`contact`] goes behind it.
 const IN_EVERY_RECEIVER: &[&str] = &["frame", "light", "sampling/gradient_noise"];
 
+/// What else a receiver's text is made of.
+const RECEIVER: &[&str] = &["receiver/footprint", "receiver/shade", "receiver/by_maps", "receiver/receiver"];
+
 /// WGSL to put in front of a receiver's shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
 /// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`, and for several lights
 /// `umbrage_shading(ambient)`, `umbrage_add_light(shading, lit, visibility)` and `umbrage_shaded(shading) -> vec3f`. Its bindings
@@ -25,11 +28,7 @@ pub fn receiver(key: &ShaderKey, group: u32) -> String {
 /// # Errors
 /// When a module lacks a name that others import from it, or imports what is not there.
 pub fn receiver_with(key: &ShaderKey, group: u32, replaced: &[(&str, &str)]) -> Result<String, ImportError> {
-    let roots = [
-        IN_EVERY_RECEIVER,
-        &["receiver/footprint", "receiver/shade", "receiver/by_maps", "receiver/receiver"],
-    ]
-    .concat();
+    let roots = [IN_EVERY_RECEIVER, RECEIVER].concat();
     let (choices, constants) = (key.choices(), key.constants());
     let recipe =
         Recipe { roots: &roots, choices: &choices, constants: &constants, replaced, ..Recipe::default() };
@@ -224,6 +223,43 @@ pub fn contact_bindings() -> Vec<Binding> {
     vec![
         Binding { binding: 0, name: "umbrage_contact_camera", kind: uniform, stages },
         Binding { binding: 1, name: "umbrage_contact_depth", kind: depth, stages },
+    ]
+}
+
+/// WGSL of two compute steps that answer for a whole picture where some receivers are traced: `decide`, in workgroups of 8 × 8 pixels,
+/// and then `trace`, in as many workgroups as [`left`] says. What [`receiver`] binds is group 0, what [`resolve_bindings`] says group
+/// 1. `None` where none are traced.
+pub fn resolve(key: &ShaderKey) -> Option<String> {
+    key.traced?;
+    let roots = [IN_EVERY_RECEIVER, RECEIVER, &["exact/resolve"]].concat();
+    let (choices, constants) = (key.choices(), key.constants());
+    Some(said(link(Recipe { roots: &roots, choices: &choices, constants: &constants, ..Recipe::default() })))
+}
+
+/// What [`resolve`] binds: what each pixel sees; how much of each light reaches it; and the list of what is left to rays, which begins
+/// with its length, 0 before each frame.
+pub fn resolve_bindings() -> Vec<Binding> {
+    let stages = Stages::Compute;
+    let buffer = |binding, name| Binding { binding, name, kind: BindingKind::WrittenStorage, stages };
+    let receivers = BindingKind::Texture { sample: SampleType::Uint, dimension: Dimension::D2 };
+    vec![
+        Binding { binding: 0, name: "umbrage_receivers", kind: receivers, stages },
+        buffer(1, "umbrage_resolved"),
+        buffer(2, "umbrage_left"),
+    ]
+}
+
+/// WGSL of a compute step `count`, one invocation, that says how many workgroups `trace` of [`resolve`] takes.
+pub fn left() -> String {
+    said(link(Recipe { roots: &["exact/left"], ..Recipe::default() }))
+}
+
+/// What [`left`] binds: the list, and the arguments of an indirect dispatch.
+pub fn left_bindings() -> Vec<Binding> {
+    let stages = Stages::Compute;
+    vec![
+        Binding { binding: 0, name: "umbrage_left_count", kind: BindingKind::Storage, stages },
+        Binding { binding: 1, name: "umbrage_workgroups", kind: BindingKind::WrittenStorage, stages },
     ]
 }
 

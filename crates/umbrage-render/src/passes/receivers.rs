@@ -33,6 +33,8 @@ struct Made<'a> {
     samples: u32,
     /// Whether the depth of what the pass before this draws is there.
     after_depth: bool,
+    /// Whether visibility is found for the whole picture before it.
+    is_resolved: bool,
     /// The layout of group 3, for a look whose shader has one.
     extra: Option<&'a wgpu::BindGroupLayout>,
 }
@@ -43,11 +45,11 @@ impl Receivers {
         gpu: &Gpu,
         look: Look,
         (encoding, samples): (Encoding, u32),
-        after_depth: bool,
+        (after_depth, is_resolved): (bool, bool),
         bound: (&SceneUniform, &SceneBuffers, &Shadows),
         extra: Option<&wgpu::BindGroupLayout>,
     ) -> Self {
-        let made = Made { look, encoding, samples, after_depth, extra };
+        let made = Made { look, encoding, samples, after_depth, is_resolved, extra };
         let one = |cover: &Cover| (*cover, Pipeline::new(gpu, made, *cover, bound));
         Self { by_cover: bound.1.covers.iter().map(one).collect() }
     }
@@ -92,14 +94,21 @@ impl Receivers {
 impl Pipeline {
     fn new(
         gpu: &Gpu,
-        Made { look, encoding, samples, after_depth, extra }: Made<'_>,
+        Made { look, encoding, samples, after_depth, is_resolved, extra }: Made<'_>,
         cover: Cover,
         (uniform, scene, shadows): (&SceneUniform, &SceneBuffers, &Shadows),
     ) -> Self {
         let around = scene.surroundings.around;
         let contact = shadows.settings().contact.as_ref();
         let covering = Covering::of(look, cover, samples);
-        let text = shaders::receivers(look, scene.finish, around, covering, &shadows.wgsl(1), contact);
+        let text = shaders::receivers(
+            look,
+            scene.finish,
+            around,
+            covering,
+            &shadows.wgsl(1),
+            (contact, is_resolved),
+        );
         let module = gpu.module("Receivers::module", text);
         let groups =
             [Some(&uniform.layout), Some(shadows.bind_group_layout()), Some(&scene.materials.layout), extra];

@@ -98,6 +98,19 @@ pub(crate) fn depth(cover: Cover) -> String {
     }
 }
 
+/// What the camera sees, as [`umbrage::Resolve`] reads it: the vertex shaders of [`depth`], and the fragment shader `place`; of others
+/// than solid surfaces `cut_place`.
+pub(crate) fn places(cover: Cover) -> String {
+    let place = include_str!("../../shaders/cover/place.wgsl");
+    match cover {
+        Cover::Solid => [SCENE, RECEIVER, place].join("\n"),
+        Cover::Cut | Cover::Veil => {
+            let cut = include_str!("../../shaders/cover/cut_place.wgsl");
+            [SCENE, RECEIVER, MATERIAL, COLOURED, place, cut].join("\n")
+        }
+    }
+}
+
 /// Casters: of solid surfaces the vertex shader `caster`; of others `cut_caster`, and the fragment shaders `cut_out` and `dither`.
 pub(crate) fn casters(library: &str, cover: Cover) -> String {
     let caster = include_str!("../../shaders/caster.wgsl");

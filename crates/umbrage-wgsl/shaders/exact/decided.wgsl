@@ -4,12 +4,10 @@
 // texel. One that stores no more than the receiver's own plane is for light, and one that stores more than that plane with all
 // of its bias is for shadow. What lies between may be the receiver itself or something that touches it: it decides nothing.
 
+import package::exact::not_known::UMBRAGE_UNDECIDED;
 import package::receiver::lookup::{UMBRAGE_OWN_TEXEL, UmbrageLookup};
 import package::storage::gathered::umbrage_stored_around;
 import package::storage::map::umbrage_tile_size;
-
-/// Stands for a visibility that the map does not know.
-const UMBRAGE_UNDECIDED: f32 = -1.0;
 
 /// Which of four texels are for light, or for shadow.
 struct UmbrageVotes {

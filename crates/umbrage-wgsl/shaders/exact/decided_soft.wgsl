@@ -2,7 +2,8 @@
 // the disc that all possible blockers lie in.
 
 import constants::UMBRAGE_BLOCKERS;
-import package::exact::decided::{UMBRAGE_UNDECIDED, umbrage_decided};
+import package::exact::decided::umbrage_decided;
+import package::exact::not_known::UMBRAGE_UNDECIDED;
 import package::filter::pcss::umbrage_blockers;
 import package::linear_depth::umbrage_linear_depth;
 import package::receiver::lookup::{UmbrageLookup, UmbrageReceiver};

@@ -20,7 +20,12 @@ fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec
     }
     let receiver = UmbrageReceiver(world_position, world_normal, pixel, umbrage_view_depth(world_position));
     let visible = umbrage_reaching(light, receiver);
-    return visible * smoothstep(0.0, 1.0, cosine / max(umbrage_frame.terminator, 1e-30));
+    return visible * umbrage_fade_in(cosine);
+}
+
+/// How far light has faded in where a normal has such a cosine to its direction: bias.terminator.
+fn umbrage_fade_in(cosine: f32) -> f32 {
+    return smoothstep(0.0, 1.0, (cosine - UMBRAGE_TURNED_AWAY) / max(umbrage_frame.terminator, 1e-30));
 }
 
 /// How much of the first light reaches a world-space point.

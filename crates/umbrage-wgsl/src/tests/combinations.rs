@@ -170,6 +170,20 @@ fn every_combination_of_modules_is_valid_wgsl_and_binds_what_it_says() {
 }
 
 #[test]
+fn what_answers_for_a_whole_picture_is_valid_wgsl_and_binds_what_it_says() {
+    binds("left", &left(), 0, &left_bindings(), true);
+    let mut count = 0;
+    for (what, key) in keys() {
+        assert_eq!(resolve(&key).is_some(), key.traces(), "{what}");
+        let Some(text) = resolve(&key) else { continue };
+        binds(&what, &text, 0, &receiver_bindings(&key), true);
+        binds(&what, &text, 1, &resolve_bindings(), true);
+        count += 1;
+    }
+    assert!(count > 100, "{count} texts trace");
+}
+
+#[test]
 fn every_step_is_valid_wgsl_and_binds_what_it_says() {
     for filter in filters() {
         for support in [TextureSupport::ALL, TextureSupport::WEBGPU] {

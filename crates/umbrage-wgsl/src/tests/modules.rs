@@ -77,7 +77,10 @@ fn every_filter_has_a_module_of_its_kind_and_every_module_is_used() {
         steps.chain(key.sum_steps().map(|s| s.rows)).for_each(|step| mark(&step.text));
     }
     let contact = contact(&umbrage_core::Contact::default(), 0);
-    let others = [caster(0), second_caster(0), clear(), peel(), map(), samples(), contact];
+    for (_, key) in keys() {
+        resolve(&key).iter().for_each(|text| mark(text));
+    }
+    let others = [left(), caster(0), second_caster(0), clear(), peel(), map(), samples(), contact];
     others.iter().for_each(|text| mark(text));
     use umbrage_core::DepthLayer::{Dual, Midpoint, Second};
     [Second, Midpoint, Dual].iter().for_each(|layer| mark(&join(*layer).unwrap()));
