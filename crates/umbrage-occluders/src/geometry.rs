@@ -7,14 +7,14 @@ use obvhs::aabb::Aabb;
 use rayon::prelude::*;
 
 use crate::coverage::Coverage;
-use crate::node::{self, Grid, MAX_TRIANGLES, Node, PackedNode, padded};
+use crate::node::{self, MAX_TRIANGLES, Node, padded};
 use crate::source::{AlphaPicture, Mesh};
 
 /// The geometry of all meshes, each with a hierarchy in its own space.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
     /// The nodes of all meshes. Links count from the first of all.
-    pub nodes: Vec<PackedNode>,
+    pub nodes: Vec<Node>,
     /// The triangles in the order of the leaves: three corners, and one more than the surface of one that is not solid.
     pub triangles: Vec<[u32; 4]>,
     /// The corners, each once in its mesh, in mesh space.
@@ -38,8 +38,6 @@ pub struct MeshRange {
     pub low: Vec3,
     /// The largest.
     pub high: Vec3,
-    /// The grid that its boxes are told in.
-    pub grid: Grid,
 }
 
 /// One mesh, before it is put behind the others.
@@ -68,8 +66,11 @@ impl Geometry {
     fn add(&mut self, Built { nodes, triangles, corners, surfaces, bounds, left_out }: Built) {
         let [first, triangle, corner] =
             [self.nodes.len(), self.triangles.len(), self.corners.len()].map(|length| length as u32);
-        let grid = Grid::over(&bounds);
-        self.nodes.extend(nodes.iter().map(|node| grid.packed(node, first, triangle)));
+        self.nodes.extend(nodes.into_iter().map(|node| Node {
+            next: node.next + first,
+            leaf: if node.leaf == 0 { 0 } else { node.leaf + 8 * triangle },
+            ..node
+        }));
         for surface in surfaces {
             Coverage::move_corners(&mut self.coverage, surface, corner);
         }
@@ -78,7 +79,7 @@ impl Geometry {
         self.corners.extend(corners);
         self.left_out += left_out;
         let end = self.nodes.len() as u32;
-        self.meshes.push(MeshRange { first, end, low: bounds.min.into(), high: bounds.max.into(), grid });
+        self.meshes.push(MeshRange { first, end, low: bounds.min.into(), high: bounds.max.into() });
     }
 
     /// Returns the number of triangles.

@@ -24,6 +24,6 @@ mod source;
 mod top_level;
 
 pub use geometry::{Geometry, MeshRange};
-pub use node::{Grid, Node, PackedNode};
+pub use node::Node;
 pub use source::{AlphaMode, AlphaPicture, Cover, Mesh, Part};
 pub use top_level::{InstanceRecord, Placed, TopLevel};

@@ -12,7 +12,7 @@ use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 
-/// A node is a box, and what lies in it. The top level's are as `UmbrageTopNode` of `exact/occluders.wgsl`.
+/// A node is a box, and what lies in it. Mirrors `UmbrageNode` of `exact/occluders.wgsl`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Node {
@@ -25,46 +25,6 @@ pub struct Node {
     /// What a leaf holds; 0 for an inner node. In a mesh it is eight times the first triangle plus their number, in the top level
     /// one more than the instance.
     pub leaf: u32,
-}
-
-/// A node of a mesh, whose box is told in steps of a grid over the mesh. Mirrors `UmbrageNode` of `exact/occluders.wgsl`.
-///
-/// Three words hold six numbers of 16 bits: the least coordinates, then the largest. The last is eight times the node after the
-/// subtree; or for a leaf eight times its first triangle, plus their number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(transparent)]
-pub struct PackedNode(pub [u32; 4]);
-
-/// The steps of a grid along each axis.
-const STEPS: f64 = 65535.0;
-
-/// A grid over a mesh, in which its boxes are told.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Grid {
-    /// Where the grid begins, in mesh space.
-    pub low: [f32; 3],
-    /// How many of its steps are a unit of mesh space.
-    pub scale: [f32; 3],
-}
-
-impl Grid {
-    /// The grid over a box. Along an axis without extent it has steps as small as rounding is.
-    pub(crate) fn over(bounds: &Aabb) -> Self {
-        let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
-        let least = bounds.min.abs().max(bounds.max.abs()).max_element() * f32::EPSILON + f32::MIN_POSITIVE;
-        let scale = |axis: usize| (STEPS / f64::from((high[axis] - low[axis]).max(least))) as f32;
-        Self { low, scale: [0, 1, 2].map(scale) }
-    }
-
-    /// A node in steps of the grid, outward, with links that count from another first node and triangle.
-    pub(crate) fn packed(&self, node: &Node, first: u32, triangle: u32) -> PackedNode {
-        let step =
-            |axis: usize, at: f32| (f64::from(at) - f64::from(self.low[axis])) * f64::from(self.scale[axis]);
-        let [x, y, z] = [0, 1, 2].map(|axis| step(axis, node.low[axis]).floor().clamp(0.0, STEPS) as u32);
-        let [u, v, w] = [0, 1, 2].map(|axis| step(axis, node.high[axis]).ceil().clamp(0.0, STEPS) as u32);
-        let link = if node.leaf == 0 { 8 * (node.next + first) } else { node.leaf + 8 * triangle };
-        PackedNode([x | y << 16, z | u << 16, v | w << 16, link])
-    }
 }
 
 /// The most triangles in a leaf.

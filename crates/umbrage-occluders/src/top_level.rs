@@ -32,14 +32,12 @@ impl Placed {
 pub struct InstanceRecord {
     /// The rows of the matrix from the world, relative to the origin, to mesh space.
     pub mesh_from_world: [[f32; 4]; 3],
-    /// Where the grid of the mesh begins.
-    pub grid_low: [f32; 3],
-    /// The first node of the mesh.
+    /// The first node of the mesh, counted from the first of all meshes.
     pub first: u32,
-    /// How many steps of the grid are a unit of mesh space.
-    pub grid_scale: [f32; 3],
     /// The index behind its last node; the same for one that is left to maps.
     pub end: u32,
+    /// Nothing.
+    pub padding: [u32; 2],
 }
 
 /// The top level is all instances, relative to an origin near the eye.
@@ -112,12 +110,7 @@ fn record(meshes: &[MeshRange], placed: &Placed, origin: DVec3) -> Option<(Insta
     });
     let bounds = padded(corners);
     let stands = is_finite && bounds.min.is_finite() && bounds.max.is_finite();
-    let record = InstanceRecord {
-        mesh_from_world: [x, y, z],
-        grid_low: range.grid.low,
-        first: range.first,
-        grid_scale: range.grid.scale,
-        end: range.end,
-    };
+    let record =
+        InstanceRecord { mesh_from_world: [x, y, z], first: range.first, end: range.end, padding: [0; 2] };
     stands.then_some((record, bounds))
 }

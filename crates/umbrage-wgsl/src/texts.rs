@@ -68,26 +68,20 @@ pub fn receiver_bindings(key: &ShaderKey) -> Vec<Binding> {
 
 /// What a text binds that traces: see `umbrage-occluders`.
 fn occluder_bindings(traced: &Traced) -> Vec<Binding> {
-    let count = if traced.occluders.covers { 6 } else { 5 };
-    let names = [
-        "umbrage_top_nodes",
-        "umbrage_placed",
-        "umbrage_nodes",
-        "umbrage_triangles",
-        "umbrage_corners",
-        "umbrage_coverage",
-    ];
+    let count = if traced.occluders.covers { 5 } else { 4 };
+    let names =
+        ["umbrage_nodes", "umbrage_placed", "umbrage_triangles", "umbrage_corners", "umbrage_coverage"];
     let binding = |(i, name)| Binding {
         binding: FIRST_OCCLUDER_BINDING + i,
         name,
-        kind: BindingKind::Texture { sample: SampleType::Uint, dimension: Dimension::D2 },
+        kind: BindingKind::Storage,
         stages: Stages::FragmentAndCompute,
     };
     (0..).zip(names).take(count).map(binding).collect()
 }
 
-/// The number of the first binding of what is traced. They follow each other: nodes of the top level, instances, nodes
-/// of meshes, triangles, corners, and coverage where some triangles are not solid.
+/// The number of the first binding of what is traced. They follow each other: nodes, instances, triangles, corners, and
+/// coverage where some triangles are not solid.
 pub const FIRST_OCCLUDER_BINDING: u32 = 6;
 
 /// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader; for a

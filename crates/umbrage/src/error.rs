@@ -90,17 +90,27 @@ pub enum ShadowError {
         /// How these maps lie.
         layout: MapLayout,
     },
-    /// Casters for rays are larger than the adapter's textures may be.
+    /// Shaders of this adapter may not read all that casters for rays lie in.
     #[error(
-        "tracing casters needs a texture of {texels} texels for the {what}, and this adapter's hold {max} in rows of 4096; hand over fewer triangles, or set `exact` to \"off\""
+        "tracing casters needs shaders that read {wanted} storage buffers, and those of this adapter read {max}; set `exact` to \"off\""
+    )]
+    OccluderBindings {
+        /// How many buffers there are.
+        wanted: u32,
+        /// How many there may be.
+        max: u32,
+    },
+    /// Casters for rays are larger than the adapter's buffers may be.
+    #[error(
+        "tracing casters needs {bytes} bytes for {what}, and this adapter's storage buffers hold {max}; hand over fewer triangles, or set `exact` to \"off\""
     )]
     OccludersTooLarge {
         /// What is too large.
         what: &'static str,
-        /// How many texels it needs.
-        texels: usize,
+        /// How many bytes it needs.
+        bytes: u64,
         /// How many there may be.
-        max: usize,
+        max: u64,
     },
     /// There are more casters than there is room for, or bent ones where none were to be.
     #[error(

@@ -45,12 +45,12 @@ impl ReceiverLayout {
                 wgpu::BindingResource::Sampler(&samplers.smooth)
             }
             (BindingKind::Texture { .. }, 1) => wgpu::BindingResource::TextureView(&maps.all),
-            (BindingKind::Texture { .. } | BindingKind::StorageTexture { .. }, number) => {
-                let occluders = occluders.and_then(|occluders| occluders.view(number));
-                wgpu::BindingResource::TextureView(occluders.unwrap_or(filtered))
+            (BindingKind::Texture { .. } | BindingKind::StorageTexture { .. }, _) => {
+                wgpu::BindingResource::TextureView(filtered)
             }
-            (BindingKind::Storage | BindingKind::WrittenStorage | BindingKind::Uniform { .. }, _) => {
-                buffers.frame.as_entire_binding()
+            (BindingKind::Storage | BindingKind::WrittenStorage | BindingKind::Uniform { .. }, number) => {
+                let occluders = occluders.and_then(|occluders| occluders.buffer(number));
+                occluders.unwrap_or(&buffers.frame).as_entire_binding()
             }
         };
         let resources = self.bindings.iter().map(|binding| (binding.binding, resource(binding)));
