@@ -49,8 +49,8 @@ pub(crate) enum Read {
 pub struct OccluderTraits {
     /// Whether some triangles are not solid.
     pub covers: bool,
-    /// Whether some instances are bent, so that rays know only the box around them.
-    pub bent: bool,
+    /// Whether some instances are left to maps: rays know only the box around them.
+    pub left_to_maps: bool,
 }
 
 /// Which receivers are traced, and through what.
@@ -149,9 +149,12 @@ impl ShaderKey {
             ("umbrage_lit", lit),
             ("umbrage_filter", modules::filter_module(self.filter, filter)),
         ];
-        if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, bent } }) = self.traced {
+        if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, left_to_maps } }) = self.traced {
             choices.extend([
-                ("umbrage_traced", if bent { "exact/traced_or_looked_up" } else { "exact/traced" }),
+                (
+                    "umbrage_traced",
+                    if left_to_maps { "exact/traced_or_looked_up" } else { "exact/traced" },
+                ),
                 ("umbrage_covered", if covers { "exact/covered_cut" } else { "exact/covered_solid" }),
             ]);
         }

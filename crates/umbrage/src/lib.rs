@@ -47,6 +47,7 @@ mod occluders;
 mod parts;
 mod prefilter;
 mod receivers;
+mod refit;
 mod samples;
 mod seen_depths;
 mod shadows;
@@ -63,6 +64,7 @@ pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
 pub use kept::Share;
 pub use occluders::{OccluderRoom, Occluders};
+pub use refit::BentMesh;
 pub use shadows::{SeenDepth, Shadows};
 pub use umbrage_core::{
     Aabb, Allocation, Bias, BiasMetres, Bounds, Camera, CameraError, CasterFaces, CasterKey, Change,
