@@ -28,10 +28,7 @@ fn shot(scene: &Scene, pose: Pose) -> Shot {
 }
 
 fn lights() -> [Light; 2] {
-    [
-        Light::sun(Vec3::new(0.6, -1.0, -0.3), 3.0),
-        Light::point("lamp", Vec3::new(-2.0, 4.0, 1.5), 20.0, 40.0),
-    ]
+    [Light::sun(Vec3::new(0.6, -1.0, -0.3), 3.0), Light::point("lamp", Vec3::new(-2.0, 4.0, 1.5), 20.0, 40.0)]
 }
 
 #[test]
@@ -100,7 +97,11 @@ fn far_bodies() -> Vec<(&'static str, Scene)> {
     );
     second.motion = Motion::Node { node: second.node.expect("a node"), node_from_thing };
     shared.instances.push(second);
-    vec![("a tube that is coiled up", coiled), ("a sheet pulled far", torn), ("a shape of two instances", shared)]
+    vec![
+        ("a tube that is coiled up", coiled),
+        ("a sheet pulled far", torn),
+        ("a shape of two instances", shared),
+    ]
 }
 
 /// Holds that rays have hardly a pixel of a shot wrong: two lights of 38 400 each, and an edge may lie through a pixel's middle.

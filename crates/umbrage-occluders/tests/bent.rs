@@ -65,8 +65,8 @@ fn check(geometry: &Geometry, mesh: usize, triangles: &mut Vec<[Vec3; 3]>) {
         assert_eq!(node.next, place + 1, "a leaf has no subtree");
         let corners = corners(geometry, &range, node.leaf);
         for other in &above {
-            let [low, high] =
-                [geometry.nodes[*other as usize].low, geometry.nodes[*other as usize].high].map(Vec3::from_array);
+            let [low, high] = [geometry.nodes[*other as usize].low, geometry.nodes[*other as usize].high]
+                .map(Vec3::from_array);
             assert!(corners.iter().all(|corner| corner.cmpge(low).all() && corner.cmple(high).all()));
         }
         triangles.extend(corners.as_chunks::<3>().0);
@@ -125,7 +125,8 @@ proptest! {
 #[test]
 fn only_what_bends_keeps_vertices_apart_and_triangles_without_area() {
     // Two triangles beside each other with vertices of their own, and one that is a line at rest.
-    let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X, Vec3::ONE, Vec3::Y, Vec3::ZERO, Vec3::X, Vec3::X * 2.0];
+    let positions =
+        [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X, Vec3::ONE, Vec3::Y, Vec3::ZERO, Vec3::X, Vec3::X * 2.0];
     let indices: Vec<u32> = (0..9).collect();
     let (rigid, bends) = (build(&positions, &indices, false), build(&positions, &indices, true));
     assert_eq!((rigid.triangles(), rigid.corners.len(), rigid.left_out), (2, 4, 1));

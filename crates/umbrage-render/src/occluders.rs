@@ -107,7 +107,8 @@ impl Known {
         let mut is_taken = vec![false; scene.meshes.len()];
         let rigid = scene.instances.iter().zip(&kinds).filter(|(_, kind)| **kind == Kind::Rigid);
         rigid.for_each(|(instance, _)| is_taken[instance.mesh] = true);
-        let bent = kinds.iter().filter_map(|kind| if let Kind::Bent(shape) = kind { Some(*shape) } else { None });
+        let bent =
+            kinds.iter().filter_map(|kind| if let Kind::Bent(shape) = kind { Some(*shape) } else { None });
         let casts: HashSet<usize> = bent.collect();
         let mut bounds = vec![None; scene.meshes.len()];
         let of_shapes = shapes.all.iter().enumerate().map(|(number, shape)| {

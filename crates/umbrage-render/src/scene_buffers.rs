@@ -81,7 +81,8 @@ impl SceneBuffers {
 
     /// Takes what rays go through, where there is nothing yet.
     pub fn set_ray_casters(&self, gpu: &Gpu, casters: &RayCasters) -> Result<(), RenderError> {
-        let positions = self.deformation.as_ref().map(|deformation| deformation.positions(gpu, &self.positions));
+        let positions =
+            self.deformation.as_ref().map(|deformation| deformation.positions(gpu, &self.positions));
         let is_first = self.occluders.set(gpu, casters, positions.transpose()?)?;
         self.deformation.iter().filter(|_| is_first).for_each(Deformation::forget);
         Ok(())

@@ -149,12 +149,10 @@ impl ShaderKey {
             ("umbrage_lit", lit),
             ("umbrage_filter", modules::filter_module(self.filter, filter)),
         ];
-        if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, left_to_maps } }) = self.traced {
+        if let Some(Traced { undecided: _, occluders: OccluderTraits { covers, left_to_maps } }) = self.traced
+        {
             choices.extend([
-                (
-                    "umbrage_traced",
-                    if left_to_maps { "exact/traced_or_looked_up" } else { "exact/traced" },
-                ),
+                ("umbrage_traced", if left_to_maps { "exact/traced_or_looked_up" } else { "exact/traced" }),
                 ("umbrage_covered", if covers { "exact/covered_cut" } else { "exact/covered_solid" }),
             ]);
         }

@@ -47,8 +47,8 @@ pub use looks::{LookBytes, ReadChoices, seen_size};
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
     FIRST_OCCLUDER_BINDING, caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings,
-    map, peel, peel_bindings, receiver, receiver_bindings, receiver_with, refit, refit_bindings, restore, restore_bindings, samples,
-    samples_bindings, second_caster,
+    map, peel, peel_bindings, receiver, receiver_bindings, receiver_with, refit, refit_bindings, restore,
+    restore_bindings, samples, samples_bindings, second_caster,
 };
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ const STORAGE_BUFFERS: u32 = 6;
 const LANES: u32 = 64;
 
 /// What the pass reads and writes of casters.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Hierarchy<'a> {
     pub nodes: &'a wgpu::Buffer,
     /// The number of nodes before those of meshes.
@@ -31,6 +32,7 @@ pub(crate) struct Hierarchy<'a> {
     pub corners: &'a wgpu::Buffer,
 }
 
+/// The pass, with all that it binds.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RefitPass {
     pipeline: wgpu::ComputePipeline,
@@ -48,20 +50,17 @@ impl RefitPass {
         positions: wgpu::BufferBinding<'_>,
     ) -> Result<Self, ShadowError> {
         let limits = device.limits();
-        let max = limits.max_storage_buffers_per_shader_stage;
-        let lanes = limits.max_compute_invocations_per_workgroup.min(limits.max_compute_workgroup_size_x);
-        if max < STORAGE_BUFFERS || lanes < LANES {
-            return Err(ShadowError::RefitLimits { wanted: [STORAGE_BUFFERS, LANES], max: [max, lanes] });
-        }
+        check(&limits)?;
         let (lists, starts) = lists(geometry);
         let bytes = positions.size.map_or(positions.buffer.size() - positions.offset, u64::from);
+        let vertices = bytes / 12;
         let record = |bent: &BentMesh| {
-            record(geometry, &starts, hierarchy.top_nodes, bent, bytes / 12)
-                .ok_or(ShadowError::BentMesh { mesh: bent.mesh, vertices: bytes / 12 })
+            let record = record(geometry, &starts, hierarchy.top_nodes, bent, vertices);
+            record.ok_or(ShadowError::BentMesh { mesh: bent.mesh, vertices })
         };
         let mut records = bent.iter().map(record).collect::<Result<Vec<_>, _>>()?;
         let workgroups = grid(records.len(), limits.max_compute_workgroups_per_dimension)?;
-        // No binding may be empty; a mesh of nothing takes nothing.
+        // No binding may be empty.
         records.resize(records.len().max(1), [0; 8]);
         let contents: [(&str, &[u8]); 2] = [
             ("how meshes bend", bytemuck::cast_slice(&records)),
@@ -73,24 +72,14 @@ impl RefitPass {
             return Err(ShadowError::OccludersTooLarge { what, bytes, max });
         }
         let objects = Objects::new(device);
-        let buffers = contents.map(|(_, bytes)| {
-            let buffer = objects.buffer(&wgpu::BufferDescriptor {
-                label: Some("RefitPass::buffer"),
-                size: bytes.len() as u64,
-                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            queue.write_buffer(&buffer, 0, bytes);
-            buffer
-        });
+        let [records, lists] = contents.map(|(_, bytes)| filled(&objects, queue, bytes));
         let (pipeline, layout) = pipeline(&objects);
-        let [records, lists] = &buffers;
         let Hierarchy { nodes, triangles, corners, .. } = hierarchy;
-        let before = [records, lists].map(wgpu::Buffer::as_entire_binding);
+        let before = [&records, &lists].map(wgpu::Buffer::as_entire_binding);
         let after = [triangles, corners, nodes].map(|buffer| buffer.as_entire_binding());
         let bound = before.into_iter().chain([wgpu::BindingResource::Buffer(positions)]).chain(after);
         let group = bindings::group(&objects, "RefitPass::group", &layout, bound);
-        Ok(Self { pipeline, group, workgroups, bytes: buffers.iter().map(wgpu::Buffer::size).sum() })
+        Ok(Self { pipeline, group, workgroups, bytes: records.size() + lists.size() })
     }
 
     pub fn record(&self, pass: &mut wgpu::ComputePass<'_>) {
@@ -104,6 +93,27 @@ impl RefitPass {
     pub fn bytes(&self) -> u64 {
         self.bytes
     }
+}
+
+/// Whether shaders may do what the pass does.
+fn check(limits: &wgpu::Limits) -> Result<(), ShadowError> {
+    let buffers = limits.max_storage_buffers_per_shader_stage;
+    let lanes = limits.max_compute_invocations_per_workgroup.min(limits.max_compute_workgroup_size_x);
+    if buffers < STORAGE_BUFFERS || lanes < LANES {
+        return Err(ShadowError::RefitLimits { wanted: [STORAGE_BUFFERS, LANES], max: [buffers, lanes] });
+    }
+    Ok(())
+}
+
+fn filled(objects: &Objects<'_>, queue: &wgpu::Queue, bytes: &[u8]) -> wgpu::Buffer {
+    let buffer = objects.buffer(&wgpu::BufferDescriptor {
+        label: Some("RefitPass::buffer"),
+        size: bytes.len() as u64,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    queue.write_buffer(&buffer, 0, bytes);
+    buffer
 }
 
 fn pipeline(objects: &Objects<'_>) -> (wgpu::ComputePipeline, wgpu::BindGroupLayout) {
@@ -166,4 +176,28 @@ fn grid(workgroups: usize, max: u32) -> Result<[u32; 2], ShadowError> {
         return Err(ShadowError::RefitWorkgroups { got: workgroups as u64, max: u64::from(max).pow(2) });
     }
     Ok([workgroups.min(max as usize) as u32, down as u32])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_adapter_that_cannot_refit_says_which_limit_is_in_the_way() {
+        assert_eq!(check(&wgpu::Limits::default()), Ok(()));
+        let few = wgpu::Limits { max_storage_buffers_per_shader_stage: 4, ..wgpu::Limits::default() };
+        let error = check(&few).expect_err("too few buffers");
+        assert!(error.to_string().contains("6 storage buffers"), "{error}");
+        let narrow = wgpu::Limits { max_compute_invocations_per_workgroup: 32, ..wgpu::Limits::default() };
+        assert_eq!(check(&narrow), Err(ShadowError::RefitLimits { wanted: [6, 64], max: [8, 32] }));
+    }
+
+    #[test]
+    fn meshes_beyond_one_side_of_a_grid_go_on_along_the_other() {
+        assert_eq!(
+            [0, 1, 65_535, 65_536].map(|n| grid(n, 65_535)),
+            [Ok([0, 0]), Ok([1, 1]), Ok([65_535, 1]), Ok([65_535, 2]),]
+        );
+        assert_eq!(grid(17, 4), Err(ShadowError::RefitWorkgroups { got: 17, max: 16 }));
+    }
 }

@@ -14,13 +14,13 @@ fn umbrage_light_visibility(light: u32, world_position: vec3f, world_normal: vec
     if light >= umbrage_frame.light_count {
         return 1.0;
     }
-    let facing = dot(world_normal, umbrage_direction_to_light(light, world_position)) - UMBRAGE_TURNED_AWAY;
-    if facing <= 0.0 {
+    let cosine = dot(world_normal, umbrage_direction_to_light(light, world_position));
+    if cosine <= UMBRAGE_TURNED_AWAY {
         return 0.0;
     }
     let receiver = UmbrageReceiver(world_position, world_normal, pixel, umbrage_view_depth(world_position));
     let visible = umbrage_reaching(light, receiver);
-    return visible * smoothstep(0.0, 1.0, facing / max(umbrage_frame.terminator, 1e-30));
+    return visible * smoothstep(0.0, 1.0, cosine / max(umbrage_frame.terminator, 1e-30));
 }
 
 /// How much of the first light reaches a world-space point.

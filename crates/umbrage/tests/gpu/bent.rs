@@ -2,9 +2,7 @@
 //! to the maps.
 
 use glam::{DVec3, Mat4, Quat, Vec2, Vec3};
-use umbrage::casters::{
-    AlphaMode, AlphaPicture, Cover, Geometry, Mesh, Part, Placed, Shape, TopLevel,
-};
+use umbrage::casters::{AlphaMode, AlphaPicture, Cover, Geometry, Mesh, Part, Placed, Shape, TopLevel};
 use umbrage::{BentMesh, Exact, Light, OccluderRoom, Occluders, Settings, ShadowError, Shadows};
 
 use crate::common::{Drawn, Query, bounds, buffer, camera, device, draw_again, queries, world};
@@ -155,11 +153,15 @@ fn copies_of_a_mesh_bend_each_its_own_way() {
     let occluders = yard.refitted(&geometry, &bent, &vertices);
     let placed = [refitted(0, places[0], &poses[0]), refitted(copy, places[1], &poses[1])];
     let both = yard.past(occluders, &top(&geometry, placed));
-    let anew: Vec<Vec<f32>> = poses.iter().zip(places).map(|(pose, place)| {
-        let geometry = build(pose, Some(&mask), false);
-        let occluders = yard.occluders(&geometry, 1);
-        yard.past(occluders, &top(&geometry, [Placed::rigid(0, place)]))
-    }).collect();
+    let anew: Vec<Vec<f32>> = poses
+        .iter()
+        .zip(places)
+        .map(|(pose, place)| {
+            let geometry = build(pose, Some(&mask), false);
+            let occluders = yard.occluders(&geometry, 1);
+            yard.past(occluders, &top(&geometry, [Placed::rigid(0, place)]))
+        })
+        .collect();
     let of_both = anew[0].iter().zip(&anew[1]).map(|(a, b)| a * b);
     let differing = both.iter().zip(of_both).filter(|(a, b)| **a != *b).count();
     let dark = [&both, &anew[0], &anew[1]].map(|visibility| shadowed(visibility));
@@ -205,7 +207,8 @@ fn what_is_left_to_maps_casts_as_in_the_maps() {
     // The ground alone is known to rays.
     let geometry = build(&world[..800], None, false);
     let around = |x: f32| [Vec3::new(-60.0, 0.0, -60.0), Vec3::new(x, 12.0, 60.0)];
-    let left = |x: f32| Placed { mesh: 0, world_from_mesh: Mat4::IDENTITY, shape: Shape::LeftToMaps(around(x)) };
+    let left =
+        |x: f32| Placed { mesh: 0, world_from_mesh: Mat4::IDENTITY, shape: Shape::LeftToMaps(around(x)) };
     let room = OccluderRoom { instances: 2, left_to_maps: true };
     let mut with = |left: Option<Placed>| {
         let occluders = Occluders::new(&yard.drawn.device, &yard.drawn.queue, &geometry, room).expect("room");
