@@ -128,12 +128,12 @@ fn only_what_bends_keeps_vertices_apart_and_triangles_without_area() {
     let positions =
         [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::X, Vec3::ONE, Vec3::Y, Vec3::ZERO, Vec3::X, Vec3::X * 2.0];
     let indices: Vec<u32> = (0..9).collect();
-    let (rigid, bends) = (build(&positions, &indices, false), build(&positions, &indices, true));
+    let (mut rigid, mut bends) = (build(&positions, &indices, false), build(&positions, &indices, true));
     assert_eq!((rigid.triangles(), rigid.corners.len(), rigid.left_out), (2, 4, 1));
     assert_eq!((bends.triangles(), bends.corners.len(), bends.left_out), (3, 9, 0));
     assert_eq!(bends.refits[0].vertices.len(), 9);
-    assert_eq!((rigid.refits.len(), rigid.clone().copy(0)), (0, None), "what does not bend has no copies");
-    assert_eq!(bends.clone().copy(1), None, "there is none");
+    assert_eq!((rigid.refits.len(), rigid.copy(0)), (0, None), "what does not bend has no copies");
+    assert_eq!(bends.copy(1), None, "there is none");
     let lost = [Vec3::NAN, Vec3::X, Vec3::Y];
     assert_eq!(build(&lost, &[0, 1, 2], true).left_out, 1);
 }
