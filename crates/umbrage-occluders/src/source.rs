@@ -9,6 +9,8 @@ pub struct Mesh<'a> {
     pub positions: &'a [Vec3],
     /// The parts of the mesh that cast.
     pub parts: Vec<Part<'a>>,
+    /// Whether the mesh bends: its hierarchy can then be [copied](crate::Geometry::copy) and fitted to other positions of the vertices.
+    pub bends: bool,
 }
 
 /// A part of a mesh is triangles of one surface.

@@ -1,28 +1,38 @@
 //! The hierarchy over instances, which is built again when something moves.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DAffine3, DMat4, DVec3, Mat4, Vec3A};
+use glam::{DAffine3, DMat4, DVec3, Mat4, Vec3};
 use obvhs::aabb::Aabb;
 
 use crate::geometry::MeshRange;
 use crate::node::{self, Node, padded};
 
-/// An instance of a mesh, in world space.
+/// An instance, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed {
     /// The index of the mesh.
     pub mesh: usize,
     /// Where the instance stands.
     pub world_from_mesh: Mat4,
-    /// The box around an instance that is bent, least and largest coordinates in world space: rays do not know its shape, and
-    /// leave what is behind the box to the maps. `None` for one that is as its mesh is.
-    pub bent: Option<[glam::Vec3; 2]>,
+    /// What is known of its shape.
+    pub shape: Shape,
+}
+
+/// What rays know of the shape of an instance. Boxes are least and largest coordinates, in mesh space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// It is as its mesh is.
+    Rigid,
+    /// It is as its mesh was refitted last, within this box.
+    Refitted([Vec3; 2]),
+    /// Rays know only the box around it, whatever its mesh: what has passed the box is left to the maps.
+    LeftToMaps([Vec3; 2]),
 }
 
 impl Placed {
     /// An instance that is as its mesh is.
     pub fn rigid(mesh: usize, world_from_mesh: Mat4) -> Self {
-        Self { mesh, world_from_mesh, bent: None }
+        Self { mesh, world_from_mesh, shape: Shape::Rigid }
     }
 }
 
@@ -36,8 +46,10 @@ pub struct InstanceRecord {
     pub first: u32,
     /// The index behind its last node; the same for one that is left to maps.
     pub end: u32,
+    /// What to add to the corners of its triangles.
+    pub corner_offset: u32,
     /// Nothing.
-    pub padding: [u32; 2],
+    pub padding: u32,
 }
 
 /// The top level is all instances, relative to an origin near the eye.
@@ -50,7 +62,7 @@ pub struct TopLevel {
     /// The number of instances that were left out, as they have no size or stand nowhere.
     pub left_out: usize,
     /// Whether some instances are left to maps.
-    pub has_bent: bool,
+    pub leaves_to_maps: bool,
 }
 
 impl TopLevel {
@@ -63,7 +75,7 @@ impl TopLevel {
                 Some((record, bounds)) => {
                     all.records.push(record);
                     boxes.push(bounds);
-                    all.has_bent |= instance.bent.is_some();
+                    all.leaves_to_maps |= matches!(instance.shape, Shape::LeftToMaps(_));
                 }
                 None => all.left_out += 1,
             }
@@ -87,30 +99,33 @@ impl TopLevel {
 
 /// An instance, and the box around it; `None` where it can block nothing.
 fn record(meshes: &[MeshRange], placed: &Placed, origin: DVec3) -> Option<(InstanceRecord, Aabb)> {
-    let relative = |corner: DVec3| (corner - origin).as_vec3a();
-    if let Some([low, high]) = placed.bent {
-        let bounds = padded([low, high].map(|corner| relative(corner.as_dvec3())));
-        let record = InstanceRecord::default();
-        return (bounds.min.is_finite() && bounds.max.is_finite()).then_some((record, bounds));
-    }
-    let range = meshes.get(placed.mesh).filter(|range| range.first < range.end)?;
     let world_from_mesh =
         DAffine3::from_mat4(DMat4::from_translation(-origin) * placed.world_from_mesh.as_dmat4());
+    let range = meshes.get(placed.mesh).filter(|range| range.first < range.end);
+    let (record, around) = match placed.shape {
+        Shape::Rigid => (of_mesh(range?, world_from_mesh)?, [range?.low, range?.high]),
+        Shape::Refitted(around) => (of_mesh(range?, world_from_mesh)?, around),
+        Shape::LeftToMaps(around) => (InstanceRecord::default(), around),
+    };
+    let bounds = padded(corners(around).map(|corner| world_from_mesh.transform_point3(corner).as_vec3a()));
+    let is_finite = around.iter().all(|corner| corner.is_finite());
+    (is_finite && bounds.min.is_finite() && bounds.max.is_finite()).then_some((record, bounds))
+}
+
+/// An instance of a mesh; `None` where its matrix has no finite inverse.
+fn of_mesh(range: &MeshRange, world_from_mesh: DAffine3) -> Option<InstanceRecord> {
     let mesh_from_world = world_from_mesh.inverse();
-    let [x, y, z] = [0, 1, 2].map(|row| {
+    let rows = [0, 1, 2].map(|row| {
         let linear = mesh_from_world.matrix3.row(row);
         linear.extend(mesh_from_world.translation[row]).as_vec4().to_array()
     });
-    let is_finite = [x, y, z].as_flattened().iter().all(|number| number.is_finite());
-    let corners = (0..8).map(|i| {
-        let pick =
-            |bit: usize, axis: usize| if i >> bit & 1 == 0 { range.low[axis] } else { range.high[axis] };
-        let corner = DVec3::new(pick(0, 0).into(), pick(1, 1).into(), pick(2, 2).into());
-        Vec3A::from(world_from_mesh.transform_point3(corner).as_vec3())
-    });
-    let bounds = padded(corners);
-    let stands = is_finite && bounds.min.is_finite() && bounds.max.is_finite();
-    let record =
-        InstanceRecord { mesh_from_world: [x, y, z], first: range.first, end: range.end, padding: [0; 2] };
-    stands.then_some((record, bounds))
+    let MeshRange { first, end, corner_offset, .. } = *range;
+    let record = InstanceRecord { mesh_from_world: rows, first, end, corner_offset, padding: 0 };
+    rows.as_flattened().iter().all(|number| number.is_finite()).then_some(record)
+}
+
+/// The corners of a box.
+fn corners([low, high]: [Vec3; 2]) -> impl Iterator<Item = DVec3> {
+    let pick = move |i: usize, axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+    (0..8).map(move |i| DVec3::from_array([0, 1, 2].map(|axis| f64::from(pick(i, axis)))))
 }

@@ -6,6 +6,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use glam::Mat4;
+use umbrage::Occluders;
 use umbrage_scene::{Pose, Scene};
 
 use crate::buffers::{READ, WRITE, binding, filled};
@@ -83,8 +84,8 @@ impl Deformation {
             deltas.as_entire_binding(),
             joints.as_entire_binding(),
             weights.as_entire_binding(),
-            tail(gpu, "positions of bent meshes", positions, &shapes, 12)?,
-            tail(gpu, "normals of bent meshes", attributes, &shapes, 20)?,
+            wgpu::BindingResource::Buffer(tail(gpu, "positions of bent meshes", positions, &shapes, 12)?),
+            wgpu::BindingResource::Buffer(tail(gpu, "normals of bent meshes", attributes, &shapes, 20)?),
         ];
         let group = gpu.bind_group("Deformation::group", &layout, resources);
         let module = gpu.module("Deformation::module", shaders::deform());
@@ -93,8 +94,17 @@ impl Deformation {
         Ok(Some(Self { shapes, pipeline, group, workgroups, joints, weights, now }))
     }
 
-    /// Bends all shapes as a pose says, as far as they are not bent so.
-    pub fn move_to(&self, gpu: &Gpu, timer: &PassTimer, pose: &Pose) {
+    /// The positions of shapes among all of a scene's, from the first shape on.
+    pub fn positions<'a>(
+        &self,
+        gpu: &Gpu,
+        positions: &'a wgpu::Buffer,
+    ) -> Result<wgpu::BufferBinding<'a>, RenderError> {
+        tail(gpu, "positions of bent meshes", positions, &self.shapes, 12)
+    }
+
+    /// Bends all shapes as a pose says, as far as they are not bent so, and makes what rays go through fit them.
+    pub fn move_to(&self, gpu: &Gpu, timer: &PassTimer, pose: &Pose, occluders: Option<&Occluders>) {
         // Whoever died here left vertices that are bent anew in another pose.
         let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
         if now.pose.as_ref() == Some(pose) {
@@ -126,9 +136,17 @@ impl Deformation {
             pass.dispatch_workgroups(0, 1, 1);
             let [across, down] = self.workgroups;
             pass.dispatch_workgroups(across, down, 1);
+            if let Some(occluders) = occluders {
+                occluders.refit(&mut pass);
+            }
         });
         gpu.queue.submit([encoder.finish()]);
         now.passes += 1;
+    }
+
+    /// Forgets in what pose they are: there is something else to make fit.
+    pub fn forget(&self) {
+        self.now.lock().unwrap_or_else(PoisonError::into_inner).pose = None;
     }
 
     /// Returns how often the shapes were bent.
@@ -163,7 +181,7 @@ fn tail<'a>(
     buffer: &'a wgpu::Buffer,
     shapes: &Shapes,
     stride: u64,
-) -> Result<wgpu::BindingResource<'a>, RenderError> {
+) -> Result<wgpu::BufferBinding<'a>, RenderError> {
     let first = shapes.all.first().map_or(0, |shape| shape.first_vertex);
     let bytes = stride * (shapes.end - first);
     let most = gpu.device.limits().max_storage_buffer_binding_size;
@@ -171,5 +189,5 @@ fn tail<'a>(
         return Err(RenderError::TooLarge { what, bytes, most });
     }
     let size = wgpu::BufferSize::new(bytes);
-    Ok(wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: stride * first, size }))
+    Ok(wgpu::BufferBinding { buffer, offset: stride * first, size })
 }

@@ -1,16 +1,21 @@
 //! What a scene's rays go through, where settings ask for some: its meshes made ready beside the frames, and where its instances
 //! stand.
 
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::collections::HashSet;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use glam::{DVec3, Mat4};
-use umbrage::casters::{AlphaMode, AlphaPicture, Cover, Geometry, Mesh, MeshRange, Part, Placed, TopLevel};
-use umbrage::{OccluderRoom, Occluders};
-use umbrage_scene::{Alpha, DeformedBounds, Instance, Material, Pose, Rig, Scene};
+use glam::DVec3;
+use umbrage::casters::{
+    AlphaMode, AlphaPicture, Cover, Geometry, Mesh, MeshRange, Part, Placed, Shape, TopLevel,
+};
+use umbrage::{BentMesh, OccluderRoom, Occluders};
+use umbrage_scene::{Alpha, DeformedBounds, Instance, Material, Pose, Scene};
 
 use crate::cover::{Cover as How, Covers};
 use crate::error::RenderError;
 use crate::gpu::Gpu;
+use crate::palette::Palette;
+use crate::shapes::Shapes;
 
 /// The casters of a scene, made ready for rays. Making them takes about a second a million triangles, and needs no device.
 #[derive(Debug)]
@@ -24,11 +29,10 @@ pub struct RayCasters {
 struct Known {
     /// Of each instance, what rays know of it.
     kinds: Vec<Kind>,
-    /// The boxes of the meshes that are bent.
-    bent: Vec<DeformedBounds>,
-    /// The skins that bend them.
-    rig: Rig,
-    /// Whether a pose may move some of them.
+    shapes: Shapes,
+    /// Of each shape, its mesh among those that rays go through; `None` where nothing of it casts.
+    of_shapes: Vec<Option<BentCaster>>,
+    /// Whether a pose may move some instances.
     moves: bool,
 }
 
@@ -37,20 +41,29 @@ struct Known {
 enum Kind {
     /// It casts nothing.
     Nothing,
-    /// All its triangles.
+    /// It is as its mesh is.
     Rigid,
-    /// The box around it, by the number of its mesh among those that are bent, and its skin.
-    Bent(usize, Option<usize>),
+    /// It has this shape.
+    Bent(usize),
+}
+
+/// A shape that casts.
+#[derive(Clone, Debug)]
+struct BentCaster {
+    /// The index of its mesh in the geometry.
+    mesh: usize,
+    bounds: Arc<DeformedBounds>,
 }
 
 impl RayCasters {
     /// Makes the casters of a scene ready.
     pub fn of(scene: &Scene) -> Self {
+        let shapes = Shapes::of(scene);
         let (pictures, picture_of) = pictures(scene);
         let alphas: Vec<Vec<f32>> =
             scene.meshes.iter().map(|mesh| mesh.colours.iter().map(|colour| colour.w).collect()).collect();
         let mut covers = Covers::new(scene);
-        let meshes: Vec<Mesh<'_>> = scene
+        let mut meshes: Vec<Mesh<'_>> = scene
             .meshes
             .iter()
             .zip(&alphas)
@@ -66,10 +79,13 @@ impl RayCasters {
                         cover: material.map(|material| cover(material, &mesh.uvs, alphas, &picture_of)),
                     }
                 });
-                Mesh { positions: &mesh.positions, parts: parts.collect() }
+                Mesh { positions: &mesh.positions, parts: parts.collect(), bends: false }
             })
             .collect();
-        Self { geometry: Geometry::build(&meshes, &pictures), known: Known::of(scene) }
+        shapes.all.iter().for_each(|shape| meshes[shape.mesh].bends = true);
+        let mut geometry = Geometry::build(&meshes, &pictures);
+        let known = Known::of(scene, shapes, &mut geometry);
+        Self { geometry, known }
     }
 
     /// Returns the number of triangles, those of each mesh once.
@@ -79,49 +95,67 @@ impl RayCasters {
 }
 
 impl Known {
-    fn of(scene: &Scene) -> Self {
-        let (mut bent, mut numbers) = (Vec::new(), vec![None; scene.meshes.len()]);
-        let kinds = scene.instances.iter().map(|instance| {
-            let mesh = &scene.meshes[instance.mesh];
-            if !instance.casts {
-                return Kind::Nothing;
-            }
-            if !instance.is_deformed(mesh) {
-                return Kind::Rigid;
-            }
-            let number = *numbers[instance.mesh].get_or_insert_with(|| {
-                bent.push(DeformedBounds::of(mesh));
-                bent.len() - 1
-            });
-            Kind::Bent(number, instance.skin.filter(|_| !mesh.influences.is_empty()))
+    /// What rays know of a scene, with a mesh in `geometry` for each shape that casts.
+    fn of(scene: &Scene, shapes: Shapes, geometry: &mut Geometry) -> Self {
+        let kinds = scene.instances.iter().zip(&shapes.of_instance).map(|(instance, shape)| match shape {
+            _ if !instance.casts => Kind::Nothing,
+            None => Kind::Rigid,
+            Some(shape) => Kind::Bent(*shape as usize),
         });
-        let kinds = kinds.collect();
-        let rig = Rig { skins: scene.rig.skins.clone(), ..Rig::default() };
-        Self { kinds, bent, rig, moves: scene.instances.iter().any(Instance::is_dynamic) }
-    }
-
-    /// Where an instance stands in a pose; `None` where it casts nothing.
-    fn placed(&self, instance: &Instance, kind: Kind, pose: &Pose) -> Option<Placed> {
-        if !instance.is_visible_in(pose) {
-            return None;
-        }
-        let rigid = Placed::rigid(instance.mesh, instance.world_from_mesh_in(pose));
-        match kind {
-            Kind::Nothing => None,
-            Kind::Rigid => Some(rigid),
-            Kind::Bent(number, skin) => {
-                let joints: Vec<Mat4> =
-                    skin.map_or_else(Vec::new, |skin| pose.joints(&self.rig, skin).collect());
-                let weights = instance.node.map_or(&[][..], |node| pose.weights(node));
-                let around = self.bent[number].whole(&joints, weights).transformed(&rigid.world_from_mesh);
-                Some(Placed { bent: Some([around.min, around.max]), ..rigid })
+        let kinds: Vec<Kind> = kinds.collect();
+        // A mesh that nobody needs at rest is the first shape's.
+        let mut is_taken = vec![false; scene.meshes.len()];
+        let rigid = scene.instances.iter().zip(&kinds).filter(|(_, kind)| **kind == Kind::Rigid);
+        rigid.for_each(|(instance, _)| is_taken[instance.mesh] = true);
+        let bent =
+            kinds.iter().filter_map(|kind| if let Kind::Bent(shape) = kind { Some(*shape) } else { None });
+        let casts: HashSet<usize> = bent.collect();
+        let mut bounds = vec![None; scene.meshes.len()];
+        let of_shapes = shapes.all.iter().enumerate().map(|(number, shape)| {
+            if !casts.contains(&number) || geometry.meshes[shape.mesh].refit.is_none() {
+                return None;
             }
-        }
+            let is_first = !std::mem::replace(&mut is_taken[shape.mesh], true);
+            let mesh = if is_first { shape.mesh } else { geometry.copy(shape.mesh)? };
+            let of_mesh = || Arc::new(DeformedBounds::of(&scene.meshes[shape.mesh]));
+            let bounds = Arc::clone(bounds[shape.mesh].get_or_insert_with(of_mesh));
+            Some(BentCaster { mesh, bounds })
+        });
+        let of_shapes = of_shapes.collect();
+        Self { kinds, of_shapes, shapes, moves: scene.instances.iter().any(Instance::is_dynamic) }
     }
 
-    /// Whether some instances are bent.
-    fn has_bent(&self) -> bool {
-        !self.bent.is_empty()
+    /// The meshes that bend, with their vertices counted from the first of all shapes.
+    fn bent_meshes(&self) -> Vec<BentMesh> {
+        let first = self.shapes.all.first().map_or(0, |shape| shape.first_vertex);
+        let shapes = self.shapes.all.iter().zip(&self.of_shapes);
+        let bent = shapes.filter_map(|(shape, of)| {
+            let first_vertex = (shape.first_vertex - first) as u32;
+            of.as_ref().map(|of| BentMesh { mesh: of.mesh, first_vertex })
+        });
+        bent.collect()
+    }
+
+    /// Where instances stand in a pose, those that cast.
+    fn placed(&self, instances: &[Instance], pose: &Pose) -> Vec<Placed> {
+        let mut palette = Palette::default();
+        palette.take(&self.shapes, pose);
+        let bent = self.shapes.all.iter().zip(&self.of_shapes).map(|(shape, of)| {
+            let BentCaster { mesh, bounds } = of.as_ref()?;
+            let around = bounds.whole(palette.joints(shape.joints), palette.weights(shape.weights));
+            Some((*mesh, Shape::Refitted([around.min, around.max])))
+        });
+        let bent: Vec<_> = bent.collect();
+        let placed = instances.iter().zip(&self.kinds).filter_map(|(instance, kind)| {
+            let (mesh, shape) = match kind {
+                Kind::Nothing => None,
+                Kind::Rigid => Some((instance.mesh, Shape::Rigid)),
+                Kind::Bent(number) => bent[*number],
+            }?;
+            let is_visible = instance.is_visible_in(pose);
+            is_visible.then(|| Placed { mesh, world_from_mesh: instance.world_from_mesh_in(pose), shape })
+        });
+        placed.collect()
     }
 }
 
@@ -178,19 +212,32 @@ struct OnDevice {
 }
 
 impl SceneOccluders {
-    /// Puts casters onto the device, where there are none yet.
-    pub fn set(&self, gpu: &Gpu, casters: &RayCasters) -> Result<(), RenderError> {
+    /// Puts casters onto the device, where there are none yet: whether there were none. `positions` are the vertices of shapes, from
+    /// the first on, where there are some.
+    pub fn set(
+        &self,
+        gpu: &Gpu,
+        casters: &RayCasters,
+        positions: Option<wgpu::BufferBinding<'_>>,
+    ) -> Result<bool, RenderError> {
         if self.0.get().is_some() {
-            return Ok(());
+            return Ok(false);
         }
         let RayCasters { geometry, known } = casters;
-        let room = OccluderRoom { instances: known.kinds.len(), bent: known.has_bent() };
-        let make = || Occluders::new(&gpu.device, &gpu.queue, geometry, room);
-        let occluders = gpu.allocate("what rays go through", make)?;
+        let (device, queue) = (&gpu.device, &gpu.queue);
+        let room = OccluderRoom { instances: known.kinds.len(), left_to_maps: false };
+        let occluders = gpu.allocate("what rays go through", || {
+            let rigid = Occluders::new(device, queue, geometry, room)?;
+            match positions {
+                Some(positions) => {
+                    rigid.with_bent(device, queue, geometry, &known.bent_meshes(), positions.clone())
+                }
+                None => Ok(rigid),
+            }
+        })?;
         let (meshes, known) = (geometry.meshes.clone(), known.clone());
         // Whoever else was first has the same.
-        let _ = self.0.set(OnDevice { occluders, meshes, known, stands: Mutex::new(None) });
-        Ok(())
+        Ok(self.0.set(OnDevice { occluders, meshes, known, stands: Mutex::new(None) }).is_ok())
     }
 
     /// What shadows bind; `None` before there are any.
@@ -214,9 +261,7 @@ impl SceneOccluders {
         if stands.as_ref().is_some_and(is_there) {
             return Ok(());
         }
-        let kinds = instances.iter().zip(&known.kinds);
-        let placed = kinds.filter_map(|(instance, kind)| known.placed(instance, *kind, pose));
-        occluders.place(&gpu.queue, &TopLevel::build(meshes, placed, origin))?;
+        occluders.place(&gpu.queue, &TopLevel::build(meshes, known.placed(instances, pose), origin))?;
         *stands = Some((origin, pose.clone()));
         Ok(())
     }

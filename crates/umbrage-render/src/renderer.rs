@@ -93,7 +93,7 @@ impl Renderer {
     /// # Errors
     /// When the device has no room for them; then maps alone answer.
     pub fn set_ray_casters(&mut self, casters: &RayCasters) -> Result<(), RenderError> {
-        self.scene.occluders.set(&self.gpu, casters)?;
+        self.scene.set_ray_casters(&self.gpu, casters)?;
         self.take_ray_casters()
     }
 

@@ -10,7 +10,7 @@ use crate::deformation::Deformation;
 use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::materials::Materials;
-use crate::occluders::SceneOccluders;
+use crate::occluders::{RayCasters, SceneOccluders};
 use crate::placement::Placement;
 use crate::shaders::Finish;
 use crate::shapes::Shapes;
@@ -79,6 +79,15 @@ impl SceneBuffers {
         })
     }
 
+    /// Takes what rays go through, where there is nothing yet.
+    pub fn set_ray_casters(&self, gpu: &Gpu, casters: &RayCasters) -> Result<(), RenderError> {
+        let positions =
+            self.deformation.as_ref().map(|deformation| deformation.positions(gpu, &self.positions));
+        let is_first = self.occluders.set(gpu, casters, positions.transpose()?)?;
+        self.deformation.iter().filter(|_| is_first).for_each(Deformation::forget);
+        Ok(())
+    }
+
     /// Moves and bends everything as it is in a pose, relative to `origin`, as far as it is not so.
     pub fn move_to(
         &self,
@@ -89,7 +98,7 @@ impl SceneBuffers {
     ) -> Result<(), RenderError> {
         self.placement.move_to(gpu, origin, pose);
         if let Some(deformation) = &self.deformation {
-            deformation.move_to(gpu, timer, pose);
+            deformation.move_to(gpu, timer, pose, self.occluders.get());
         }
         self.occluders.move_to(gpu, &self.placement.instances, origin, pose)
     }

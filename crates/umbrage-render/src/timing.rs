@@ -10,8 +10,8 @@ use crate::gpu::Gpu;
 pub struct FrameTimes {
     /// The time of planning, culling and upload, on the CPU.
     pub plan: f64,
-    /// The time of bending meshes by joints and morph targets, once for all views. It is 0 where nothing is bent, or nothing is
-    /// bent otherwise than before; without timestamps part of `casters`.
+    /// The time of bending meshes by joints and morph targets, once for all views, and of making what rays go through fit them. It
+    /// is 0 where nothing is bent, or nothing is bent otherwise than before; without timestamps part of `casters`.
     pub deform: f64,
     /// The time of all caster passes.
     pub casters: f64,

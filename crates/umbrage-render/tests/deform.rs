@@ -11,8 +11,8 @@ use std::sync::Arc;
 use bodies::{add_sheet, add_tube, bodies, node, play, turn_over_time, yard};
 use glam::{DVec3, Mat4, Vec3};
 use reference::{baked, bent};
-use umbrage_render::umbrage::{Bias, CasterFaces, DepthFormat, Filter, Settings};
-use umbrage_render::{Frame, Gpu, Renderer, Show};
+use umbrage_render::umbrage::{Bias, CasterFaces, DepthFormat, Exact, Filter, Settings};
+use umbrage_render::{Frame, Gpu, RayCasters, Renderer, Show};
 use umbrage_scene::rig::{Channel, Track};
 use umbrage_scene::{Curve, Instance, Keys, Light, Mesh, Scene, load_glb_bytes, to_glb};
 
@@ -227,6 +227,59 @@ fn poses_without_numbers_are_drawn_as_nothing_and_refuse_nothing() {
     let empty = Instance { mesh: scene.meshes.len() - 1, ..scene.instances[1].clone() };
     scene.instances.push(empty);
     assert!(visibility(&gpu, &scene, 0.0, &Settings::default()) == without);
+}
+
+/// Everything is traced.
+fn traced() -> Settings {
+    Settings { exact: Exact::Always, ..Settings::default() }
+}
+
+#[test]
+fn rays_take_poses_without_numbers_for_nothing_and_end() {
+    let (gpu, mut scene) = (gpu(), yard());
+    let without = visibility(&gpu, &scene, 0.0, &traced());
+    let tube = add_tube(&mut scene, 2, 2, 0.5, node(None, DVec3::ZERO));
+    add_sheet(&mut scene, [f32::NAN, f32::INFINITY, 1e38], node(None, DVec3::ZERO));
+    let rest = scene.rig.nodes[0].rest;
+    for broken in [f64::NAN, f64::INFINITY, 1e300] {
+        scene.rig.nodes[0].rest = node(None, DVec3::splat(broken)).rest;
+        assert!(visibility(&gpu, &scene, 0.0, &traced()) == without, "{broken}");
+    }
+    // One vertex alone.
+    scene.rig.nodes[0].rest = rest;
+    let mesh = scene.instances[tube].mesh;
+    let whole = visibility(&gpu, &scene, 0.0, &traced());
+    assert!(whole != without, "a tube casts");
+    for broken in [f32::NAN, f32::INFINITY, f32::MAX] {
+        scene.meshes[mesh].positions[30] = Vec3::new(0.2, broken, 0.0);
+        let visibility = visibility(&gpu, &scene, 0.0, &traced());
+        assert_eq!(visibility.len(), whole.len(), "it ends");
+    }
+}
+
+#[test]
+fn rays_follow_what_another_renderer_of_the_scene_has_bent() {
+    let (gpu, mut scene) = (gpu(), yard());
+    add_tube(&mut scene, 2, 2, 0.0, node(None, DVec3::ZERO));
+    let joint = scene.rig.skins[0].joints[1].0;
+    turn_over_time(&mut scene, joint, 1.5);
+    let picture = |renderer: &mut Renderer, seconds| {
+        let drawn = renderer.draw(&frame(&scene, seconds, Show::Visibility(0))).expect("a frame");
+        drawn.picture().expect("a picture").rgba
+    };
+    let mut fresh = Renderer::new(&gpu, &scene, traced()).expect("a renderer");
+    let wanted = [0.0, 1.0, 1.5].map(|seconds| picture(&mut fresh, seconds));
+    assert!(wanted[0] != wanted[1] && wanted[1] != wanted[2], "it turns");
+    let mut maps = Renderer::new(&gpu, &scene, Settings::default()).expect("a renderer");
+    let mut rays = maps.beside(traced()).expect("another");
+    // What rays go through comes when the pose is in the buffers already.
+    picture(&mut maps, 1.0);
+    rays.set_ray_casters(&RayCasters::of(&scene)).expect("room");
+    assert!(picture(&mut rays, 1.0) == wanted[1], "the first pose");
+    for (seconds, wanted) in [(1.5, &wanted[2]), (0.0, &wanted[0]), (1.0, &wanted[1])] {
+        picture(&mut maps, seconds);
+        assert!(picture(&mut rays, seconds) == *wanted, "at {seconds} s");
+    }
 }
 
 #[test]

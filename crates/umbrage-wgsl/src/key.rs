@@ -49,8 +49,8 @@ pub(crate) enum Read {
 pub struct OccluderTraits {
     /// Whether some triangles are not solid.
     pub covers: bool,
-    /// Whether some instances are bent, so that rays know only the box around them.
-    pub bent: bool,
+    /// Whether some instances are left to maps: rays know only the box around them.
+    pub left_to_maps: bool,
 }
 
 /// Which receivers are traced, and through what.
@@ -151,9 +151,9 @@ impl ShaderKey {
         ];
         // Lights have a size where the filter searches for blockers.
         let is_soft = self.filter == "pcss";
-        if let Some(Traced { undecided, occluders: OccluderTraits { covers, bent } }) = self.traced {
+        if let Some(Traced { undecided, occluders: OccluderTraits { covers, left_to_maps } }) = self.traced {
             choices.extend([
-                ("umbrage_traced", if bent { "exact/traced_or_looked_up" } else { "exact/traced" }),
+                ("umbrage_traced", if left_to_maps { "exact/traced_or_looked_up" } else { "exact/traced" }),
                 ("umbrage_known", if undecided { "exact/undecided" } else { "exact/always" }),
                 ("umbrage_reaching_by_rays", "exact/reaching"),
                 ("umbrage_rays", if is_soft { "exact/rays_disc" } else { "exact/rays_middle" }),

@@ -47,8 +47,9 @@ pub use looks::{LookBytes, ReadChoices, seen_size};
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
     FIRST_OCCLUDER_BINDING, caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings,
-    left, left_bindings, map, peel, peel_bindings, receiver, receiver_bindings, receiver_with, resolve,
-    resolve_bindings, restore, restore_bindings, samples, samples_bindings, second_caster,
+    left, left_bindings, map, peel, peel_bindings, receiver, receiver_bindings, receiver_with, refit,
+    refit_bindings, resolve, resolve_bindings, restore, restore_bindings, samples, samples_bindings,
+    second_caster,
 };
 
 #[cfg(test)]

@@ -84,6 +84,28 @@ fn occluder_bindings(traced: &Traced) -> Vec<Binding> {
 /// coverage where some triangles are not solid.
 pub const FIRST_OCCLUDER_BINDING: u32 = 6;
 
+/// WGSL of a compute shader `refit`, which makes hierarchies fit meshes that were bent, in workgroups of one mesh each:
+/// see `umbrage-occluders`.
+pub fn refit() -> String {
+    said(link(Recipe { roots: &["exact/refit"], ..Recipe::default() }))
+}
+
+/// What [`refit`] binds: the meshes to refit, eight words each; their lists; the positions of the host's vertices; triangles,
+/// corners and nodes as [`receiver`] reads them.
+pub fn refit_bindings() -> Vec<Binding> {
+    let (read, written) = (BindingKind::Storage, BindingKind::WrittenStorage);
+    let kinds = [
+        ("umbrage_refits", read),
+        ("umbrage_refit_lists", read),
+        ("umbrage_bent_positions", read),
+        ("umbrage_bent_triangles", read),
+        ("umbrage_bent_corners", written),
+        ("umbrage_bent_nodes", written),
+    ];
+    let binding = |(binding, (name, kind))| Binding { binding, name, kind, stages: Stages::Compute };
+    (0..).zip(kinds).map(binding).collect()
+}
+
 /// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader; for a
 /// fragment shader, where casters have holes, `umbrage_caster_fragment(position)`, which does nothing here, and
 /// `umbrage_caster_covers(position, id, coverage) -> bool`, whether what covers in part is drawn in this texel. Its bindings are

@@ -112,9 +112,40 @@ pub enum ShadowError {
         /// How many there may be.
         max: u64,
     },
-    /// There are more casters than there is room for, or bent ones where none were to be.
+    /// The adapter's compute shaders may not do what refitting casters takes.
     #[error(
-        "there is room for {max} instances of casters for rays, and {got} stand there, or one is bent where none was to be; make them anew with Occluders::new and more room"
+        "refitting casters that bend needs compute shaders with {} storage buffers and {} lanes a workgroup, and those of this adapter have {} and {}; leave what bends to the maps",
+        wanted[0], wanted[1], max[0], max[1]
+    )]
+    RefitLimits {
+        /// How many storage buffers and how many lanes it needs.
+        wanted: [u32; 2],
+        /// How many there may be.
+        max: [u32; 2],
+    },
+    /// More meshes bend than a dispatch has workgroups.
+    #[error(
+        "refitting {got} casters that bend takes as many workgroups, and a dispatch of this adapter has {max}; leave some to the maps"
+    )]
+    RefitWorkgroups {
+        /// How many meshes bend.
+        got: u64,
+        /// How many workgroups there may be.
+        max: u64,
+    },
+    /// A mesh for rays was to be refitted that does not bend, or to vertices that are not there.
+    #[error(
+        "mesh {mesh} of the casters for rays cannot be refitted: it was not made to bend, or its vertices are not all among the {vertices} positions"
+    )]
+    BentMesh {
+        /// The index of the mesh.
+        mesh: usize,
+        /// How many positions there are.
+        vertices: u64,
+    },
+    /// There are more casters than there is room for, or some left to maps where none were to be.
+    #[error(
+        "there is room for {max} instances of casters for rays, and {got} stand there, or one is left to maps where none was to be; make them anew with Occluders::new and more room"
     )]
     OccluderRoom {
         /// How many instances stand there.

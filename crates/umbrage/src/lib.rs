@@ -47,6 +47,7 @@ mod occluders;
 mod parts;
 mod prefilter;
 mod receivers;
+mod refit;
 mod resolve;
 mod samples;
 mod seen_depths;
@@ -64,6 +65,7 @@ pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
 pub use kept::Share;
 pub use occluders::{OccluderRoom, Occluders};
+pub use refit::BentMesh;
 pub use resolve::Resolve;
 pub use shadows::{SeenDepth, Shadows};
 pub use umbrage_core::{

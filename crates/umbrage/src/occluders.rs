@@ -6,6 +6,7 @@ use umbrage_occluders::{Geometry, InstanceRecord, Node, TopLevel};
 use umbrage_wgsl::{FIRST_OCCLUDER_BINDING, OccluderTraits};
 
 use crate::error::ShadowError;
+use crate::refit::{BentMesh, Hierarchy, RefitPass};
 
 /// Casters that shaders trace rays through, where [`Settings::exact`](umbrage_core::Settings::exact) asks for it:
 /// [`Shadows::set_occluders`](crate::Shadows::set_occluders) binds them.
@@ -17,6 +18,8 @@ pub struct Occluders {
     buffers: [wgpu::Buffer; 5],
     traits: OccluderTraits,
     room: usize,
+    /// What makes meshes fit that bend, where some do.
+    refit: Option<RefitPass>,
 }
 
 /// What there is to be room for.
@@ -24,8 +27,8 @@ pub struct Occluders {
 pub struct OccluderRoom {
     /// The number of instances.
     pub instances: usize,
-    /// Whether some may be bent, so that rays know only the box around them and leave what is behind it to the maps.
-    pub bent: bool,
+    /// Whether some may be [left to maps](umbrage_occluders::Shape::LeftToMaps).
+    pub left_to_maps: bool,
 }
 
 /// What buffers a shader reads that traces, beside the frame.
@@ -77,16 +80,16 @@ impl Occluders {
             }
             buffer
         });
-        let traits = OccluderTraits { covers: geometry.has_covers(), bent: room.bent };
-        Ok(Self { buffers, traits, room: room.instances })
+        let traits = OccluderTraits { covers: geometry.has_covers(), left_to_maps: room.left_to_maps };
+        Ok(Self { buffers, traits, room: room.instances, refit: None })
     }
 
     /// Says where instances stand, relative to the origin that is given to [`Shadows::set_origin`](crate::Shadows::set_origin).
     ///
     /// # Errors
-    /// When there are more than there is room for, or one is bent where none was to be.
+    /// When there are more than there is room for, or one is left to maps where none was to be.
     pub fn place(&self, queue: &wgpu::Queue, top: &TopLevel) -> Result<(), ShadowError> {
-        if top.instances() > self.room || top.has_bent && !self.traits.bent {
+        if top.instances() > self.room || top.leaves_to_maps && !self.traits.left_to_maps {
             return Err(ShadowError::OccluderRoom { got: top.instances(), max: self.room });
         }
         queue.write_buffer(&self.buffers[0], 0, bytemuck::cast_slice(&top.nodes));
@@ -102,9 +105,38 @@ impl Occluders {
         Ok(())
     }
 
+    /// Says from which vertices meshes that bend take their shape, so that [`Self::refit`] can. They are as at rest before that.
+    ///
+    /// `positions` holds three floats a vertex; its buffer can be bound as storage. `geometry` is what these casters were made of.
+    ///
+    /// # Errors
+    /// When a mesh does not bend, positions are missing, or something exceeds the device's limits.
+    pub fn with_bent(
+        self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        geometry: &Geometry,
+        bent: &[BentMesh],
+        positions: wgpu::BufferBinding<'_>,
+    ) -> Result<Self, ShadowError> {
+        let [nodes, _, triangles, corners, _] = &self.buffers;
+        let hierarchy = Hierarchy { nodes, top_nodes: top_nodes(self.room), triangles, corners };
+        let refit = RefitPass::new((device, queue), geometry, &hierarchy, bent, positions)?;
+        Ok(Self { refit: Some(refit), ..self })
+    }
+
+    /// Records that meshes are made to fit their vertices as they are then. Do so whenever these have changed, before anything is
+    /// traced; it takes the pass's pipeline and its group 0. Without [`Self::with_bent`] it does nothing.
+    pub fn refit(&self, pass: &mut wgpu::ComputePass<'_>) {
+        if let Some(refit) = &self.refit {
+            refit.record(pass);
+        }
+    }
+
     /// Bytes of everything.
     pub fn bytes(&self) -> u64 {
-        self.buffers.iter().map(wgpu::Buffer::size).sum()
+        let buffers = self.buffers.iter().map(wgpu::Buffer::size).sum::<u64>();
+        buffers + self.refit.as_ref().map_or(0, RefitPass::bytes)
     }
 
     /// What shader texts depend on.

@@ -1,16 +1,7 @@
 // What casts, for rays: a hierarchy of boxes over instances, one over the triangles of each mesh, and the triangles.
 // `umbrage-occluders` makes it, and says how it lies.
 
-/// A box, and what lies in it. The nodes of a subtree follow their root.
-struct UmbrageNode {
-    low: vec3f,
-    /// Index of the node after the subtree.
-    next: u32,
-    high: vec3f,
-    /// What a leaf holds, and 0 for an inner node: one more than an instance, or eight times the first of some triangles plus their
-    /// number.
-    leaf: u32,
-}
+import package::exact::node::UmbrageNode;
 
 /// An instance of a mesh.
 struct UmbragePlaced {
@@ -18,9 +9,11 @@ struct UmbragePlaced {
     row_x: vec4f,
     row_y: vec4f,
     row_z: vec4f,
-    /// Index of the mesh's first node and of the one behind its last. They are the same for one that is bent.
+    /// Index of the mesh's first node and of the one behind its last. They are the same for one that is left to maps.
     first: u32,
     end: u32,
+    /// What to add to the corners of its triangles: bent meshes have corners of their own.
+    corner_offset: u32,
 }
 
 /// The hierarchy over instances, in which the first node's `next` is the number of nodes; then those of all meshes.

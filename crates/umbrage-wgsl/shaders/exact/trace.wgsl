@@ -13,7 +13,7 @@ import package::exact::triangle::umbrage_hit;
 struct UmbrageTrace {
     /// The share of light that comes past all triangles.
     share: f32,
-    /// Whether the ray has passed the box of something bent, whose shape rays do not know.
+    /// Whether the ray has passed the box of something whose shape rays do not know.
     passed_bent: bool,
 }
 
@@ -61,8 +61,8 @@ fn umbrage_trace(world_position: vec3f, to_light: vec3f, lamp: f32, end: f32) ->
             let first = leaf >> 3u;
             for (var i = first; i < first + (leaf & 7u); i++) {
                 let triangle = umbrage_triangles[i];
-                let corners = mat3x3f(
-                    umbrage_corner(triangle.x), umbrage_corner(triangle.y), umbrage_corner(triangle.z));
+                let place = triangle.xyz + placed.corner_offset;
+                let corners = mat3x3f(umbrage_corner(place.x), umbrage_corner(place.y), umbrage_corner(place.z));
                 let hit = umbrage_hit(ray, corners, end, lamp);
                 if hit.is_hit {
                     trace.share *= 1.0 - umbrage_covered(triangle, hit.weights);

@@ -1,5 +1,5 @@
-// The ray from a receiver to a light, where some casters are bent: rays know the box around each, and what has passed one is the
-// maps' to say.
+// The ray from a receiver to a light, where the shape of some casters is not known to rays: they know the box around each, and what
+// has passed one is the maps' to say.
 
 import chosen::umbrage_rays;
 import package::receiver::by_maps::umbrage_by_maps;

@@ -147,13 +147,13 @@ pub(super) fn keys() -> Vec<(String, ShaderKey)> {
 fn traced(filter: Filter) -> Vec<(String, ShaderKey)> {
     let mut keys = Vec::new();
     for exact in [Exact::Undecided, Exact::Always] {
-        for (covers, bent) in [(false, false), (false, true), (true, false), (true, true)] {
+        for (covers, left_to_maps) in [(false, false), (false, true), (true, false), (true, true)] {
             for (receiver_plane, select, support) in
                 [(true, Select::Map, TextureSupport::ALL), (false, Select::Depth, TextureSupport::WEBGPU)]
             {
                 let bias = Bias { receiver_plane, ..Bias::default() };
                 let settings = Settings { filter, exact, select, bias, blend: 0.1, ..Settings::default() };
-                let occluders = Some(OccluderTraits { covers, bent });
+                let occluders = Some(OccluderTraits { covers, left_to_maps });
                 let key = ShaderKey::with_occluders(&settings, support, occluders);
                 keys.push((format!("{settings:?}, {occluders:?}, {support:?}"), key));
             }
@@ -209,6 +209,7 @@ fn the_other_texts_are_valid_wgsl_and_bind_what_they_say() {
     binds("restore", &restore(), 0, &restore_bindings(), true);
     binds("clear", &clear(), 0, &[], true);
     binds("samples", &samples(), 0, &samples_bindings(), true);
+    binds("refit", &refit(), 0, &refit_bindings(), true);
     binds("map", &map(), 0, &[Binding::frame(Stages::Fragment)], true);
     for layer in [DepthLayer::Second, DepthLayer::Midpoint, DepthLayer::Dual] {
         binds("join", &join(layer).expect("two layers"), 0, &join_bindings(), true);

@@ -80,7 +80,7 @@ fn every_filter_has_a_module_of_its_kind_and_every_module_is_used() {
     for (_, key) in keys() {
         resolve(&key).iter().for_each(|text| mark(text));
     }
-    let others = [left(), caster(0), second_caster(0), clear(), peel(), map(), samples(), contact];
+    let others = [left(), caster(0), second_caster(0), clear(), peel(), map(), samples(), refit(), contact];
     others.iter().for_each(|text| mark(text));
     use umbrage_core::DepthLayer::{Dual, Midpoint, Second};
     [Second, Midpoint, Dual].iter().for_each(|layer| mark(&join(*layer).unwrap()));

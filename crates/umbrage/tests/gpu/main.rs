@@ -1,6 +1,7 @@
 //! Tests that need an adapter: Mesa's lavapipe and llvmpipe will do, and `scripts/setup` installs them.
 
 mod agreement;
+mod bent;
 mod casting;
 mod changes;
 mod common;
