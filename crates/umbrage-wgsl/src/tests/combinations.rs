@@ -138,7 +138,9 @@ pub(super) fn keys() -> Vec<(String, ShaderKey)> {
                 }
             }
         }
-        keys.extend(traced(filter));
+        if ["hard", "optimised", "poisson", "footprint", "pcss", "savsm", "msm"].contains(&filter.kind()) {
+            keys.extend(traced(filter));
+        }
     }
     keys
 }
