@@ -2,7 +2,7 @@
 //! wrong the default is into `docs/error.md`, `cargo xtask biases` measures every kind of bias into `docs/biases.md`,
 //! `cargo xtask claims` says which claims of the paper and the tutorial hold in `docs/claims.md`, `cargo xtask ferko` measures the
 //! thesis' tables and figures again in `docs/ferko.md`, `cargo xtask families` sets other families of shadows beside maps in
-//! `docs/families.md`, `cargo xtask filters` compares every
+//! `docs/families.md`, `cargo xtask exact` measures rays where maps are not sure in `docs/exact.md`, `cargo xtask filters` compares every
 //! filter in `docs/filters.md`, `cargo xtask field` measures scenes that are far or large or small in `docs/field.md`,
 //! `cargo xtask peers` sets Umbrage beside other renderers in `docs/peers.md`, `cargo xtask pictures` draws the pictures of
 //! the documents, `cargo xtask documents` makes all of these again, `cargo xtask web` builds the web page.
@@ -71,6 +71,8 @@ enum Chore {
     Ferko(Pages),
     /// Sets other families of shadows beside maps, in docs/families.md
     Families(Pages),
+    /// Measures rays where maps are not sure, in docs/exact.md
+    Exact(Pages),
     /// Compares every filter, in docs/filters.md
     Filters(Pages),
     /// Measures by distance from the origin and by scale, in docs/field.md
@@ -105,6 +107,7 @@ fn run(chore: Chore) -> anyhow::Result<()> {
         Chore::Families(Pages { adapter, pages }) => {
             claims::FAMILIES.write(adapter.as_deref(), pages.as_deref())
         }
+        Chore::Exact(Pages { adapter, pages }) => claims::EXACT.write(adapter.as_deref(), pages.as_deref()),
         Chore::Filters(Pages { adapter, pages }) => filters::write(adapter.as_deref(), pages.as_deref()),
         Chore::Documents => documents(),
         Chore::Field(args) => field::write(&args),
@@ -116,8 +119,10 @@ fn run(chore: Chore) -> anyhow::Result<()> {
 }
 
 /// The chores that make documents, as they follow each other: what is timed comes first, while the machine is at rest.
-const DOCUMENTS: [&str; 10] =
-    ["peers", "results", "families", "ferko", "filters", "claims", "error", "biases", "field", "pictures"];
+const DOCUMENTS: [&str; 11] = [
+    "peers", "results", "exact", "families", "ferko", "filters", "claims", "error", "biases", "field",
+    "pictures",
+];
 
 fn documents() -> anyhow::Result<()> {
     DOCUMENTS.into_iter().try_for_each(|chore| run(Cli::parse_from(["xtask", chore]).chore))

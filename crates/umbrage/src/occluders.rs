@@ -8,8 +8,30 @@ use umbrage_wgsl::{FIRST_OCCLUDER_BINDING, OccluderTraits};
 use crate::error::ShadowError;
 use crate::refit::{BentMesh, Hierarchy, RefitPass};
 
-/// Casters that shaders trace rays through, where [`Settings::exact`](umbrage_core::Settings::exact) asks for it:
-/// [`Shadows::set_occluders`](crate::Shadows::set_occluders) binds them.
+/// Casters for rays.
+///
+/// Shaders trace rays through them, where [`Settings::exact`](umbrage_core::Settings::exact) asks for it:
+/// [`Shadows::set_occluders`](crate::Shadows::set_occluders) binds them, and nothing else of the host changes.
+///
+/// ```no_run
+/// # fn hand_over(device: &wgpu::Device, queue: &wgpu::Queue, positions: &[umbrage::glam::Vec3], indices: &[u32])
+/// # -> Result<(), Box<dyn std::error::Error>> {
+/// use umbrage::casters::{Geometry, Mesh, Part, Placed, TopLevel};
+/// use umbrage::glam::{DVec3, Mat4};
+/// use umbrage::{Exact, OccluderRoom, Occluders, Settings, Shadows};
+///
+/// let mut shadows = Shadows::new(device, Settings { exact: Exact::Undecided, ..Settings::default() })?;
+/// // Once, about a second a million triangles:
+/// let mesh = Mesh { positions, parts: vec![Part { indices, cover: None }], bends: false };
+/// let geometry = Geometry::build(&[mesh], &[]);
+/// let room = OccluderRoom { instances: 1, left_to_maps: false };
+/// let occluders = Occluders::new(device, queue, &geometry, room)?;
+/// shadows.set_occluders(device, Some(occluders.clone()))?;
+/// // Whenever something has moved, or the origin of `Shadows::set_origin`:
+/// let placed = [Placed::rigid(0, Mat4::IDENTITY)];
+/// occluders.place(queue, &TopLevel::build(&geometry.meshes, placed, DVec3::ZERO))?;
+/// # Ok(()) }
+/// ```
 ///
 /// A copy shares the buffers of the original.
 #[derive(Clone, Debug, PartialEq)]
