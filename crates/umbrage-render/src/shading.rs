@@ -35,6 +35,18 @@ struct Before {
     resolved: bool,
 }
 
+/// How a picture is drawn.
+#[derive(Clone, Copy, Debug)]
+struct How {
+    /// How receivers look; `None` where there are none.
+    look: Option<Look>,
+    /// Where their visibility comes from.
+    visibility: Option<Visibility>,
+    before: Before,
+    /// Whether the target has the depth of what is seen already.
+    has_depth: bool,
+}
+
 /// The passes that make a picture of a scene whose shadow maps are drawn.
 #[derive(Debug)]
 pub(crate) struct Shading {
@@ -183,55 +195,80 @@ impl Shading {
         (show, is_seen): (&Show, bool),
         target: &Target,
     ) -> Result<(), RenderError> {
-        let Inputs { gpu, scene, shadows } = inputs;
         let look = Look::of(show);
         let resolved = self.resolves(inputs, look, planned, target);
-        let visibility = look.map(|look| look.visibility(shadows.settings().contact.is_some(), resolved));
+        let has_contact = inputs.shadows.settings().contact.is_some();
+        let visibility = look.map(|look| look.visibility(has_contact, resolved));
         let has_depth = is_seen && look.is_some() && sees_in(target, planned) && !resolved;
         let depth = resolved || has_depth || comes_depth_first(planned, visibility, target);
-        let before = Before { depth, resolved };
-        self.make_ready(inputs, show, target, before)?;
-        self.upload(gpu, scene, planned, show, target)?;
-        let (draws, veils): (&[Draw], &[Draw]) =
-            if look.is_some() { (planned.receivers(), planned.veils()) } else { (&[], &[]) };
-        let numbers = &planned.numbers.buffer;
-        let draw_depth = |encoder: &mut wgpu::CommandEncoder,
-                          depth: &wgpu::TextureView,
-                          kind: PrepassKind,
-                          places: Option<&wgpu::TextureView>| {
-            let Some(prepass) = self.prepasses.iter().find(|prepass| prepass.kind == kind) else {
-                return;
-            };
+        let how = How { look, visibility, before: Before { depth, resolved }, has_depth };
+        self.make_ready(inputs, show, target, how.before)?;
+        self.upload(inputs.gpu, inputs.scene, planned, show, target)?;
+        self.record_before(inputs, encoder, timer, planned, how, target);
+        self.record_shading(inputs, encoder, timer, planned, how, target);
+        Ok(())
+    }
+
+    /// Draws what a picture is shaded after: the depth of what is seen, how much of each light reaches it where that is found for
+    /// the whole picture, and the depth that contact shadows march through.
+    fn record_before(
+        &mut self,
+        Inputs { gpu, scene, shadows }: Inputs<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &PassTimer,
+        planned: &Planned,
+        How { look, visibility, before, has_depth }: How,
+        target: &Target,
+    ) {
+        let Self { uniform, prepasses, resolving, contact, .. } = self;
+        let mut draw = |into: (&wgpu::TextureView, Option<&wgpu::TextureView>), kind: PrepassKind| {
+            let Some(prepass) = prepasses.iter().find(|prepass| prepass.kind == kind) else { return };
             timer.pass(SHADE, encoder, |encoder, timestamps| {
-                let bound = (&self.uniform, scene);
-                let into = (depth, places);
+                let (bound, numbers) = ((&*uniform, scene), &planned.numbers.buffer);
                 prepass.record(encoder, into, timestamps, bound, numbers, with_depth(planned, look));
             });
         };
         let samples = target.shape.samples;
-        if before.depth && !has_depth {
-            let size = target.shape.size;
-            let places = self.resolving.as_mut().filter(|_| resolved).map(|of| of.places(gpu, size));
-            draw_depth(encoder, &target.depth, PrepassKind { samples, places: resolved }, places);
+        let resolving = resolving.as_mut().filter(|_| before.resolved);
+        if let Some(contact) = contact.as_ref().filter(|_| visibility == Some(Visibility::MapsAndContact)) {
+            contact.upload(gpu, &planned.camera.relative_to(planned.origin));
+            if samples > 1 {
+                draw((contact.depth(target), None), DEPTH_ALONE);
+            }
         }
-        if let Some(resolving) = self.resolving.as_mut().filter(|_| resolved) {
+        if let Some(resolving) = resolving {
+            let places = resolving.places(gpu, target.shape.size);
+            draw((&target.depth, Some(places)), PrepassKind { samples, places: true });
             let lights = planned.plan.lights().len();
             timer.compute_pass(SHADE, encoder, |encoder, timestamps| {
                 resolving.record(gpu, encoder, shadows, lights, timestamps);
             });
+        } else if before.depth && !has_depth {
+            draw((&target.depth, None), PrepassKind { samples, places: false });
         }
+    }
+
+    /// Draws receivers, the sky, and veils over both.
+    fn record_shading(
+        &self,
+        Inputs { gpu: _, scene, shadows }: Inputs<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &PassTimer,
+        planned: &Planned,
+        How { look, visibility, before, .. }: How,
+        target: &Target,
+    ) {
+        let (draws, veils): (&[Draw], &[Draw]) =
+            if look.is_some() { (planned.receivers(), planned.veils()) } else { (&[], &[]) };
         let extra = match visibility {
             None | Some(Visibility::Unused | Visibility::Full | Visibility::Maps) => None,
             Some(Visibility::Resolved) => self.resolving.as_ref().and_then(Resolving::group),
             Some(Visibility::Given) => self.given.as_ref().map(|given| &given.group),
-            Some(Visibility::MapsAndContact) => self.contact.as_ref().and_then(|contact| {
-                contact.upload(gpu, &planned.camera.relative_to(planned.origin));
-                if samples > 1 {
-                    draw_depth(encoder, contact.depth(target), DEPTH_ALONE, None);
-                }
-                contact.group(target)
-            }),
+            Some(Visibility::MapsAndContact) => {
+                self.contact.as_ref().and_then(|contact| contact.group(target))
+            }
         };
+        let samples = target.shape.samples;
         let depth_before = match (before.depth, samples) {
             (false, _) => DepthBefore::Nothing,
             (true, 1) => DepthBefore::All,
@@ -245,7 +282,7 @@ impl Shading {
             let record = |pass: &mut wgpu::RenderPass<'_>, draws: &[Draw]| {
                 if let Some((_, receivers)) = receivers {
                     let bound = (&self.uniform, scene, shadows);
-                    receivers.record(pass, bound, extra, numbers, draws);
+                    receivers.record(pass, bound, extra, &planned.numbers.buffer, draws);
                 }
             };
             record(&mut pass, draws);
@@ -254,7 +291,6 @@ impl Shading {
             }
             record(&mut pass, veils);
         });
-        Ok(())
     }
 
     /// Whether visibility is found for the whole picture before it is shaded: where some receivers are traced, a pixel is one
