@@ -118,6 +118,15 @@ impl Geometry {
         self.triangles.len()
     }
 
+    /// Returns the bytes of everything that a device holds of them.
+    pub fn bytes(&self) -> usize {
+        let Self { nodes, triangles, corners, coverage, .. } = self;
+        size_of_val(&nodes[..])
+            + size_of_val(&triangles[..])
+            + size_of_val(&corners[..])
+            + size_of_val(&coverage[..])
+    }
+
     /// Whether some triangles are not solid.
     pub fn has_covers(&self) -> bool {
         self.triangles.iter().any(|triangle| triangle[3] > 0)

@@ -28,7 +28,7 @@ pub struct Node {
 }
 
 /// The most triangles in a leaf.
-pub(crate) const MAX_TRIANGLES: u32 = 4;
+pub(crate) const MAX_TRIANGLES: u32 = 7;
 
 /// Rounding may move a ray by this share of its coordinates: boxes are so much larger.
 const MARGIN: f32 = 1.0 / 1_048_576.0;

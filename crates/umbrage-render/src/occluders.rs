@@ -92,6 +92,11 @@ impl RayCasters {
     pub fn triangles(&self) -> usize {
         self.geometry.triangles()
     }
+
+    /// Returns the bytes that meshes take on a device, without their instances.
+    pub fn bytes(&self) -> usize {
+        self.geometry.bytes()
+    }
 }
 
 impl Known {
