@@ -72,9 +72,28 @@ impl RayCasters {
         Self { geometry: Geometry::build(&meshes, &pictures), known: Known::of(scene) }
     }
 
+    /// Writes what takes long to make as bytes, for [`Self::from_bytes`] of the same program: a web page's worker shares no memory
+    /// with it.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.geometry.to_bytes()
+    }
+
+    /// Reads what [`Self::to_bytes`] made of the casters of a scene; `None` for any other bytes, and for those of a scene of other
+    /// meshes.
+    pub fn from_bytes(scene: &Scene, bytes: &[u8]) -> Option<Self> {
+        let geometry = Geometry::from_bytes(bytes)?;
+        let is_of_scene = geometry.meshes.len() == scene.meshes.len();
+        is_of_scene.then(|| Self { geometry, known: Known::of(scene) })
+    }
+
     /// Returns the number of triangles, those of each mesh once.
     pub fn triangles(&self) -> usize {
         self.geometry.triangles()
+    }
+
+    /// Returns the number of triangles that were left out, as they have no area or corners that are nowhere.
+    pub fn left_out(&self) -> usize {
+        self.geometry.left_out
     }
 }
 
