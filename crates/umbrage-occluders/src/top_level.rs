@@ -91,7 +91,9 @@ fn record(meshes: &[MeshRange], placed: &Placed, origin: DVec3) -> Option<(Insta
     if let Some([low, high]) = placed.bent {
         let bounds = padded([low, high].map(|corner| relative(corner.as_dvec3())));
         let record = InstanceRecord::default();
-        return (bounds.min.is_finite() && bounds.max.is_finite()).then_some((record, bounds));
+        // A box forgets what is no number.
+        let stands = [low, high].into_iter().all(|corner| corner.is_finite());
+        return (stands && bounds.min.is_finite() && bounds.max.is_finite()).then_some((record, bounds));
     }
     let range = meshes.get(placed.mesh).filter(|range| range.first < range.end)?;
     let world_from_mesh =
