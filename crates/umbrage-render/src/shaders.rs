@@ -7,7 +7,7 @@ mod covering;
 
 use std::fmt::Write as _;
 
-use umbrage::{Contact, contact_wgsl};
+use umbrage::{Contact, Exact, contact_wgsl};
 
 pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, vertex_entry};
 
@@ -88,6 +88,30 @@ impl Look {
     }
 }
 
+/// Where in its pixel a fragment asks for visibility.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// At its centre.
+    Centre,
+    /// In the middle of the samples that the fragment covers.
+    Covered,
+}
+
+impl Place {
+    /// The place that suits pixels of so many samples. Maps stand off a place beside the triangle as they do off their own
+    /// texels; rays do not.
+    pub fn of(samples: u32, exact: Exact) -> Self {
+        if samples > 1 && exact != Exact::Off { Self::Covered } else { Self::Centre }
+    }
+
+    fn text(self) -> &'static str {
+        match self {
+            Self::Centre => include_str!("../shaders/place/centre.wgsl"),
+            Self::Covered => include_str!("../shaders/place/covered.wgsl"),
+        }
+    }
+}
+
 /// What lights surfaces from all around, and lies behind them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Around {
@@ -122,11 +146,11 @@ pub(crate) fn receivers(
     finish: Finish,
     around: Around,
     covering: Covering,
-    receiver: &str,
+    (receiver, place): (&str, Place),
     contact: Option<&Contact>,
 ) -> String {
     let visibility = visibility(look.visibility(contact.is_some()), contact);
-    let mut text = [receiver, SCENE, RECEIVER].join("\n") + &visibility;
+    let mut text = [receiver, SCENE, RECEIVER, place.text()].join("\n") + &visibility;
     if look.has_materials() {
         text += &surfaces(finish, around);
     } else if covering != Covering::Solid {
@@ -288,9 +312,12 @@ mod tests {
                 for look in LOOKS {
                     for (finish, around) in FINISHES {
                         for covering in COVERINGS {
-                            check(&receivers(look, finish, around, covering, &shadows, None));
-                            let contact = Some(&Contact::default());
-                            check(&receivers(look, finish, around, covering, &shadows, contact));
+                            for place in [Place::Centre, Place::Covered] {
+                                let receiver = (shadows.as_str(), place);
+                                check(&receivers(look, finish, around, covering, receiver, None));
+                                let contact = Some(&Contact::default());
+                                check(&receivers(look, finish, around, covering, receiver, contact));
+                            }
                         }
                     }
                 }
@@ -300,7 +327,8 @@ mod tests {
 
     #[test]
     fn the_shader_of_the_plain_picture_holds_nothing_of_the_others() {
-        let text = receivers(Look::World, Finish::Matte, Around::Sky, Covering::Solid, "", None);
+        let text =
+            receivers(Look::World, Finish::Matte, Around::Sky, Covering::Solid, ("", Place::Centre), None);
         for word in [
             "split_colour",
             "footprint",
