@@ -293,7 +293,7 @@ impl Drawn {
                 if id.x >= arrayLength(&places) {{ return; }}
                 let place = places[id.x];
                 let lookup =
-                    UmbrageLookup({view}u, 0u, place.texel, place.reference, place.gradient, place.bend,
+                    UmbrageLookup({view}u, 0u, place.texel, place.reference, 0.0, place.gradient, place.bend,
                         place.texel_metres);
                 let receiver = UmbrageReceiver(vec3f(0.0), vec3f(0.0, 1.0, 0.0), vec2f(0.5), 0.0);
                 answers[id.x] = umbrage_filter(lookup, receiver);
