@@ -37,7 +37,7 @@ fn asked(gpu: &Gpu, scene: &Scene, centre: Vec3, points: &[Vec<Point>]) -> Vec<V
 /// A point that faces a light.
 fn facing(light: &Light, position: Vec3) -> Point {
     let to_light = oracle::to_light(light, position.as_dvec3()).0;
-    Point { position, normal: to_light.as_vec3().normalize() }
+    Point { position, normal: to_light.as_vec3().normalize_or(Vec3::Y) }
 }
 
 /// How wrong a share of light may be, where rounding moves a place on a picture of alpha.

@@ -30,10 +30,10 @@ pub struct World<'a> {
 /// The unit direction to a light, and the way to where nothing casts any more.
 pub fn to_light(light: &Light, place: DVec3) -> (DVec3, f64) {
     match light.kind {
-        LightKind::Directional => (-light.direction().as_dvec3().normalize(), f64::INFINITY),
+        LightKind::Directional => (-light.direction().as_dvec3().normalize_or(DVec3::Y), f64::INFINITY),
         LightKind::Spot { .. } | LightKind::Point { .. } => {
             let way = light.position().as_dvec3() - place;
-            (way.normalize(), way.length() - f64::from(light.near))
+            (way.normalize_or(DVec3::Y), way.length() - f64::from(light.near))
         }
     }
 }
@@ -87,7 +87,7 @@ fn covered(
     let across = |of: DVec3| DVec2::new(of.dot(right), of.dot(up));
     let (p, q, r) = (across(a), across(b), across(c));
     let from_edges = [(p, q), (q, r), (r, p)].map(|(from, to)| distance_to_segment(from, to));
-    let normal = (b - a).cross(c - a).normalize();
+    let normal = (b - a).cross(c - a).normalize_or(DVec3::Y);
     if from_edges.into_iter().any(|metres| metres < UNSURE_EDGE) {
         // Behind the receiver and beyond the lamp it does not matter.
         let along = [a, b, c].map(|of| of.dot(toward));
