@@ -1,6 +1,7 @@
 //! What settings do not suit a world, and what would: a line on stderr, and the work goes on.
 
 use umbrage::{CasterFaces, Fit, LightBox, Settings};
+use umbrage_lab::Rays;
 use umbrage_rivals::Left;
 use umbrage_scene::Scene;
 
@@ -22,6 +23,19 @@ pub fn warn_of_left(scene: &Scene, left: &[Left]) {
     let (count, name) = (left.len(), named.unwrap_or_default());
     let casters = if count == 1 { "caster is" } else { "casters are" };
     eprintln!("warning: {count} {casters} left to shadow maps (`{name}`: {})", first.why);
+}
+
+/// Warns of casters for rays that the device refuses.
+pub fn warn_of_rays(rays: &Rays) {
+    if let Some(advice) = of_rays(rays) {
+        eprintln!("warning: {advice}");
+    }
+}
+
+/// What to say of casters for rays that the device refuses.
+pub fn of_rays(rays: &Rays) -> Option<String> {
+    let why = rays.refused()?;
+    Some(format!("nothing is traced, and shadow maps alone answer: {why}"))
 }
 
 fn light_box(scene: &Scene, settings: &Settings) -> Option<String> {

@@ -54,6 +54,23 @@ fn measure_json_has_the_keys_that_scripts_rely_on() {
 }
 
 #[test]
+fn what_rays_go_through_is_counted_apart_from_the_maps() {
+    let [by_maps, traced] = ["off", "undecided"].map(|exact| {
+        measured(&["--frames", "0", "--set", &format!("exact={exact}"), "--set", "resolution=256"])
+    });
+    assert_eq!(by_maps["bytes"], traced["bytes"], "the same maps");
+    assert_eq!((by_maps["occluder_bytes"].as_u64(), by_maps["occluder_seconds"].is_null()), (Some(0), true));
+    assert!(traced["occluder_bytes"].as_u64().is_some_and(|bytes| bytes > 10_000), "{traced}");
+    assert!(traced["occluder_seconds"].as_f64().is_some_and(|seconds| seconds > 0.0), "{traced}");
+    let wrong = |of: &Value| of.pointer("/error/mis_shadowed").and_then(Value::as_f64).expect("an error");
+    assert!(4.0 * wrong(&traced) < wrong(&by_maps), "{} and {}", wrong(&traced), wrong(&by_maps));
+    let args = ["bench", "primitives", "--size", "64x64", "--frames", "1", "--set", "exact=always", "--json"];
+    let benched: Value = serde_json::from_str(&stdout(&[&args[..], &["-"]].concat())).expect("JSON");
+    assert_eq!(benched["occluder_bytes"], traced["occluder_bytes"]);
+    assert!(benched["occluder_seconds"].as_f64().is_some_and(|seconds| seconds > 0.0), "{benched}");
+}
+
+#[test]
 fn finer_maps_are_less_wrong_and_repeats_give_intervals() {
     let wrong = |resolution: &str| {
         let measured = measured(&["--frames", "0", "--repeats", "3", "--set", resolution]);
@@ -168,8 +185,8 @@ fn a_report_that_was_cut_off_gives_the_same_page_as_one_that_ran_through() {
         let out = folder.path().join(name);
         stdout(&["report", text(&experiment), "-o", text(&out)]);
         let sheet = image::open(out.join("small-primitives.png")).expect("a contact sheet");
-        // Two variants and the exact picture from two cameras, 40 x 30 pixels five times as large.
-        assert_eq!((sheet.width(), sheet.height()), (8 + 6 * 208, 8 + 180));
+        // Two variants and the exact picture, a row for each of two cameras, 40 x 30 pixels five times as large.
+        assert_eq!((sheet.width(), sheet.height()), (8 + 3 * 208, 8 + 2 * 180));
         ["html", "json", "csv"].map(|extension| {
             std::fs::read_to_string(out.join(format!("small.{extension}"))).expect("written")
         })

@@ -71,6 +71,8 @@ pub const ALL: &[Figure] = &[
     figure("aliasing.utilisation", "texels that are read", Format::Percent),
     figure("texels", "texels", Format::Count),
     figure("bytes", "memory", Format::Bytes),
+    figure("occluder_bytes", "memory of casters for rays", Format::Bytes),
+    figure("occluder_seconds", "casters made ready", Format::Seconds),
     figure("milliseconds.plan.median", "plan", Format::Milliseconds),
     figure("milliseconds.deform.median", "bending", Format::Milliseconds),
     figure("milliseconds.casters.median", "casters", Format::Milliseconds),
@@ -205,6 +207,7 @@ pub fn values(measurement: &Measurement) -> Vec<(&'static Figure, f64)> {
         "jump" => jump(measurement),
         // Nothing was looked at: its zeros say nothing.
         key if key.starts_with("flicker.") && measurement.flicker.is_none_or(|f| f.pairs == 0) => None,
+        "occluder_bytes" if measurement.occluder_bytes == 0 => None,
         key => json.pointer(&format!("/{}", key.replace('.', "/"))).and_then(Value::as_f64),
     };
     ALL.iter().filter_map(|figure| Some((figure, value(figure).filter(|v| v.is_finite())?))).collect()

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use umbrage::{Exact, Settings, ShadowPlan};
 use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
-use umbrage_render::{Frame, Gpu, Picture, RayCasters, Rendered, Renderer, Show};
+use umbrage_render::{Frame, Gpu, Picture, Rendered, Renderer, Show};
 use umbrage_rivals::Family;
 use umbrage_scene::{Pose, Scene};
 
@@ -15,6 +15,7 @@ use crate::foreign::{Foreign, ForeignError};
 use crate::heat::heat_map;
 use crate::judgement::{Judgement, pooled, verdicts};
 use crate::measurement::Measurement;
+use crate::rays::Rays;
 use crate::shot::Shot;
 use crate::technique::{OfFamily, Technique};
 use crate::timed::Timed;
@@ -53,6 +54,8 @@ pub struct Laboratory<'a> {
     scene: &'a Scene,
     gpu: &'a Gpu,
     renderer: Renderer,
+    /// What rays of the shadows go through, where settings asked for some.
+    rays: Rays,
     /// The scene's triangles, at the time they were last needed.
     world: Option<(Arc<Pose>, Arc<World>)>,
     truths: Truths,
@@ -69,7 +72,15 @@ impl<'a> Laboratory<'a> {
         let mut renderer = Renderer::new(gpu, scene, Settings::default())?;
         // What is measured is what maps cost that are drawn, and of each frame by itself.
         (renderer.keep_tiles, renderer.hold_plans) = (false, false);
-        Ok(Self { scene, gpu, renderer, world: None, truths: Truths::default(), families: Vec::new() })
+        Ok(Self {
+            scene,
+            gpu,
+            renderer,
+            rays: Rays::default(),
+            world: None,
+            truths: Truths::default(),
+            families: Vec::new(),
+        })
     }
 
     /// The scene.
@@ -85,6 +96,11 @@ impl<'a> Laboratory<'a> {
     /// Returns the renderer that draws the scene.
     pub fn renderer(&mut self) -> &mut Renderer {
         &mut self.renderer
+    }
+
+    /// Returns what became of the casters for rays, where settings asked for some.
+    pub fn rays(&self) -> &Rays {
+        &self.rays
     }
 
     /// Draws and judges a picture, and draws it `frames` times more for their times, with shadow maps or by another technique.
@@ -157,6 +173,11 @@ impl<'a> Laboratory<'a> {
             settings: settings.clone(),
             texels: technique.map_or_else(|| shadows.layout().texels(), |it| it.texels(&self.renderer)),
             bytes: technique.map_or_else(|| shadows.bytes(), |it| it.bytes(&self.renderer)),
+            occluder_bytes: technique.map_or_else(
+                || shadows.occluder_bytes(),
+                |technique| technique.occluder_bytes(&self.renderer),
+            ),
+            occluder_seconds: self.rays.seconds().filter(|_| settings.exact != Exact::Off),
             made_ready: technique.and_then(|technique| technique.made_ready()),
             truth: pooled(by_light),
             error: Error::pooled(&parts),
@@ -226,13 +247,7 @@ impl<'a> Laboratory<'a> {
 
     /// Takes over the settings that shadows are made with from now on.
     pub(crate) fn use_settings(&mut self, settings: &Settings) -> Result<(), LabError> {
-        if self.renderer.shadows().settings() != settings {
-            self.renderer.set_settings(settings.clone())?;
-        }
-        if settings.exact != Exact::Off && !self.renderer.has_ray_casters() {
-            self.renderer.set_ray_casters(&RayCasters::of(self.scene))?;
-        }
-        Ok(())
+        Ok(self.rays.use_settings(&mut self.renderer, self.scene, settings)?)
     }
 
     /// The scene's triangles in a pose.

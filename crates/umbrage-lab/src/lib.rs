@@ -27,6 +27,7 @@ mod lines;
 mod measure;
 mod measurement;
 mod path;
+mod rays;
 mod rows;
 mod run;
 mod shot;
@@ -44,6 +45,7 @@ pub use measurement::{
     Machine, MadeReady, MeasuredLight, Measurement, Milliseconds, Outcome, Pictures, TruthCounts,
 };
 pub use path::{Motion, Watch};
+pub use rays::Rays;
 pub use rows::{Row, measure_all};
 pub use run::{AreaLight, Run};
 pub use shot::Shot;

@@ -32,6 +32,12 @@ pub struct Measurement {
     /// The bytes of all shadow maps, and of what is made of them to be read; with another family of shadows its bytes, and those
     /// of the maps that serve what it leaves.
     pub bytes: u64,
+    /// The bytes of the casters that rays of the shadows go through; 0 where maps alone answer.
+    #[serde(default)]
+    pub occluder_bytes: u64,
+    /// The seconds that it took to build their hierarchies, once for the scene; absent where the settings ask for no rays.
+    #[serde(default)]
+    pub occluder_seconds: Option<f64>,
     /// What it took to make another family of shadows than maps ready; absent for maps.
     #[serde(default)]
     pub made_ready: Option<MadeReady>,

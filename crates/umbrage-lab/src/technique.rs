@@ -33,6 +33,9 @@ pub trait Technique: Debug {
     /// Returns the bytes of all that the technique reads shadows from.
     fn bytes(&self, renderer: &Renderer) -> u64;
 
+    /// Returns the bytes of the casters that rays of the maps' shadows go through; 0 where it reads from no maps.
+    fn occluder_bytes(&self, renderer: &Renderer) -> u64;
+
     /// Says what it took to make the technique ready; `None` where nothing must be.
     fn made_ready(&self) -> Option<MadeReady> {
         None
@@ -60,6 +63,10 @@ impl Technique for Area {
 
     fn bytes(&self, renderer: &Renderer) -> u64 {
         renderer.shadows().bytes()
+    }
+
+    fn occluder_bytes(&self, renderer: &Renderer) -> u64 {
+        renderer.shadows().occluder_bytes()
     }
 }
 
@@ -170,6 +177,10 @@ impl Technique for OfFamily {
 
     fn bytes(&self, renderer: &Renderer) -> u64 {
         self.rival.bytes() + self.maps(renderer).map(|maps| maps.shadows().bytes()).sum::<u64>()
+    }
+
+    fn occluder_bytes(&self, renderer: &Renderer) -> u64 {
+        self.maps(renderer).map(|maps| maps.shadows().occluder_bytes()).sum()
     }
 
     fn made_ready(&self) -> Option<MadeReady> {

@@ -74,6 +74,8 @@ fn outcome(run: &Run) -> Outcome {
         settings: run.settings.clone(),
         texels: u64::MAX,
         bytes: 4,
+        occluder_bytes: 0,
+        occluder_seconds: None,
         made_ready: None,
         shadows_milliseconds: Some(1.25),
         truth: TruthCounts {

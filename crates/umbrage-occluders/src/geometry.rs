@@ -167,7 +167,8 @@ impl Welded {
             let surface = part.cover.as_ref().map(|cover| coverage.surface(cover));
             all.surfaces.extend(surface);
             for triangle in part.indices.as_chunks::<3>().0 {
-                let places = triangle.map(|i| mesh.positions[i as usize]);
+                // A vertex that is not there is nowhere.
+                let places = triangle.map(|i| mesh.positions.get(i as usize).copied().unwrap_or(Vec3::NAN));
                 if !if mesh.bends { may_have_area(*triangle, places) } else { has_area(places) } {
                     all.left_out += 1;
                     continue;

@@ -19,6 +19,7 @@
 //! assert_eq!((geometry.triangles(), top.instances()), (1, 1));
 //! ```
 
+mod bytes;
 mod coverage;
 mod geometry;
 mod node;

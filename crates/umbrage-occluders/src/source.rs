@@ -16,7 +16,7 @@ pub struct Mesh<'a> {
 /// A part of a mesh is triangles of one surface.
 #[derive(Clone, Debug)]
 pub struct Part<'a> {
-    /// The vertices of the triangles, three each; all are in range.
+    /// The vertices of the triangles, three each. A triangle of one that is not there is left out.
     pub indices: &'a [u32],
     /// How much of its place the surface covers; `None` for one that is solid.
     pub cover: Option<Cover<'a>>,

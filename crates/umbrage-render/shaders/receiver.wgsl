@@ -8,6 +8,9 @@ struct Receiver {
     @location(2) uv: vec2f,
 }
 
+/// Where this fragment asks for visibility, from the eye: its entry sets it. It needs a file of `place/`.
+var<private> asked_from_eye: vec3f;
+
 @vertex
 fn receiver(
     @location(0) position: vec3f,

@@ -84,8 +84,25 @@ impl RayCasters {
             .collect();
         shapes.all.iter().for_each(|shape| meshes[shape.mesh].bends = true);
         let mut geometry = Geometry::build(&meshes, &pictures);
-        let known = Known::of(scene, shapes, &mut geometry);
+        let of_scene = geometry.meshes.clone();
+        let known = Known::of(scene, shapes, &of_scene, |mesh| geometry.copy(mesh));
         Self { geometry, known }
+    }
+
+    /// Writes what takes long to make as bytes, for [`Self::from_bytes`] of the same program: a web page's worker shares no memory
+    /// with it.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.geometry.to_bytes()
+    }
+
+    /// Reads what [`Self::to_bytes`] made of the casters of a scene; `None` for any other bytes, and for those of a scene of other
+    /// meshes.
+    pub fn from_bytes(scene: &Scene, bytes: &[u8]) -> Option<Self> {
+        let geometry = Geometry::from_bytes(bytes)?;
+        let mut copies = scene.meshes.len()..geometry.meshes.len();
+        let of_scene = geometry.meshes.get(..scene.meshes.len())?;
+        let known = Known::of(scene, Shapes::of(scene), of_scene, |_| copies.next());
+        copies.is_empty().then_some(Self { geometry, known })
     }
 
     /// Returns the number of triangles, those of each mesh once.
@@ -97,11 +114,21 @@ impl RayCasters {
     pub fn bytes(&self) -> usize {
         self.geometry.bytes()
     }
+
+    /// Returns the number of triangles that were left out, as they have no area or corners that are nowhere.
+    pub fn left_out(&self) -> usize {
+        self.geometry.left_out
+    }
 }
 
 impl Known {
-    /// What rays know of a scene, with a mesh in `geometry` for each shape that casts.
-    fn of(scene: &Scene, shapes: Shapes, geometry: &mut Geometry) -> Self {
+    /// What rays know of a scene whose meshes lie so, with a mesh for each shape that casts: `copy` makes one of a mesh.
+    fn of(
+        scene: &Scene,
+        shapes: Shapes,
+        meshes: &[MeshRange],
+        mut copy: impl FnMut(usize) -> Option<usize>,
+    ) -> Self {
         let kinds = scene.instances.iter().zip(&shapes.of_instance).map(|(instance, shape)| match shape {
             _ if !instance.casts => Kind::Nothing,
             None => Kind::Rigid,
@@ -117,11 +144,11 @@ impl Known {
         let casts: HashSet<usize> = bent.collect();
         let mut bounds = vec![None; scene.meshes.len()];
         let of_shapes = shapes.all.iter().enumerate().map(|(number, shape)| {
-            if !casts.contains(&number) || geometry.meshes[shape.mesh].refit.is_none() {
+            if !casts.contains(&number) || meshes[shape.mesh].refit.is_none() {
                 return None;
             }
             let is_first = !std::mem::replace(&mut is_taken[shape.mesh], true);
-            let mesh = if is_first { shape.mesh } else { geometry.copy(shape.mesh)? };
+            let mesh = if is_first { shape.mesh } else { copy(shape.mesh)? };
             let of_mesh = || Arc::new(DeformedBounds::of(&scene.meshes[shape.mesh]));
             let bounds = Arc::clone(bounds[shape.mesh].get_or_insert_with(of_mesh));
             Some(BentCaster { mesh, bounds })

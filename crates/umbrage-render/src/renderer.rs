@@ -109,7 +109,8 @@ impl Renderer {
         }
         let Some(occluders) = self.scene.occluders.get() else { return Ok(()) };
         let mut shadows = self.shadows.clone();
-        let changed = shadows.set_occluders(&self.gpu.device, Some(occluders.clone()))?;
+        let set = || shadows.set_occluders(&self.gpu.device, Some(occluders.clone()));
+        let changed = self.gpu.allocate("what rays go through", set)?;
         self.use_shadows(shadows, changed);
         self.has_taken_casters = true;
         Ok(())

@@ -7,7 +7,7 @@ mod covering;
 
 use std::fmt::Write as _;
 
-use umbrage::{Contact, contact_wgsl};
+use umbrage::{Contact, Exact, contact_wgsl};
 
 pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, places, vertex_entry};
 
@@ -93,6 +93,30 @@ impl Look {
     }
 }
 
+/// Where in its pixel a fragment asks for visibility.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// At its centre.
+    Centre,
+    /// In the middle of the samples that the fragment covers.
+    Covered,
+}
+
+impl Place {
+    /// The place that suits pixels of so many samples. Maps stand off a place beside the triangle as they do off their own
+    /// texels; rays do not.
+    pub fn of(samples: u32, exact: Exact) -> Self {
+        if samples > 1 && exact != Exact::Off { Self::Covered } else { Self::Centre }
+    }
+
+    fn text(self) -> &'static str {
+        match self {
+            Self::Centre => include_str!("../shaders/place/centre.wgsl"),
+            Self::Covered => include_str!("../shaders/place/covered.wgsl"),
+        }
+    }
+}
+
 /// What lights surfaces from all around, and lies behind them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Around {
@@ -127,11 +151,11 @@ pub(crate) fn receivers(
     finish: Finish,
     around: Around,
     covering: Covering,
-    receiver: &str,
+    (receiver, place): (&str, Place),
     (contact, is_resolved): (Option<&Contact>, bool),
 ) -> String {
     let visibility = visibility(look.visibility(contact.is_some(), is_resolved), contact);
-    let mut text = [receiver, SCENE, RECEIVER].join("\n") + &visibility;
+    let mut text = [receiver, SCENE, RECEIVER, place.text()].join("\n") + &visibility;
     if look.has_materials() {
         text += &surfaces(finish, around);
     } else if covering != Covering::Solid {
@@ -304,10 +328,13 @@ mod tests {
                 for look in LOOKS {
                     for (finish, around) in FINISHES {
                         for covering in COVERINGS {
-                            check(&receivers(look, finish, around, covering, &shadows, (None, false)));
-                            check(&receivers(look, finish, around, covering, &shadows, (None, true)));
-                            let contact = Some(&Contact::default());
-                            check(&receivers(look, finish, around, covering, &shadows, (contact, false)));
+                            for place in [Place::Centre, Place::Covered] {
+                                let receiver = (shadows.as_str(), place);
+                                check(&receivers(look, finish, around, covering, receiver, (None, false)));
+                                check(&receivers(look, finish, around, covering, receiver, (None, true)));
+                                let contact = Some(&Contact::default());
+                                check(&receivers(look, finish, around, covering, receiver, (contact, false)));
+                            }
                         }
                     }
                 }
@@ -317,7 +344,14 @@ mod tests {
 
     #[test]
     fn the_shader_of_the_plain_picture_holds_nothing_of_the_others() {
-        let text = receivers(Look::World, Finish::Matte, Around::Sky, Covering::Solid, "", (None, false));
+        let text = receivers(
+            Look::World,
+            Finish::Matte,
+            Around::Sky,
+            Covering::Solid,
+            ("", Place::Centre),
+            (None, false),
+        );
         for word in [
             "split_colour",
             "footprint",

@@ -86,7 +86,7 @@ impl eframe::App for Flown {
             if self.number == self.frames {
                 ui.ctx().send_viewport_cmd(egui::ViewportCommand::Close);
             }
-        } else if !viewer.is_loading() {
+        } else if !viewer.is_loading() && !viewer.is_making_casters() {
             fly_to(&mut viewer, self.number as f32 / self.frames as f32);
             if let Some((alone, size)) = viewer.time_alone() {
                 let mut found = self.found.borrow_mut();

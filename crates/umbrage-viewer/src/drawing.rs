@@ -7,8 +7,10 @@ mod texture;
 use std::sync::Arc;
 
 use eframe::{egui, egui_wgpu, wgpu};
-use umbrage::{Settings, ShadowPlan};
-use umbrage_render::{ComingPicture, Drawn, Frame, Gpu, MapLook, RenderError, Renderer, Show, ViewLoad};
+use umbrage::{Exact, Settings, ShadowPlan};
+use umbrage_render::{
+    ComingPicture, Drawn, Frame, Gpu, MapLook, RayCasters, RenderError, Renderer, Show, ViewLoad,
+};
 use umbrage_scene::Scene;
 
 use crate::timings::PassTimes;
@@ -44,7 +46,8 @@ impl Drawing {
         scene: &Arc<Scene>,
         settings: &[Settings],
     ) -> Result<Self, RenderError> {
-        let first = settings.first().cloned().unwrap_or_default();
+        // With rays the renderer would make the casters itself, and the window wait for them.
+        let first = Settings { exact: Exact::Off, ..settings.first().cloned().unwrap_or_default() };
         let mut drawing = Self {
             gpu: gpu.clone(),
             window: window.clone(),
@@ -79,6 +82,24 @@ impl Drawing {
             side.free(&self.window);
         }
         Ok(())
+    }
+
+    /// Returns whether a side's settings ask for rays, and there are no casters for them yet.
+    pub fn wants_ray_casters(&self) -> bool {
+        self.sides.iter().any(|side| side.asks_for_rays() && !side.has_ray_casters())
+    }
+
+    /// Returns whether rays are traced on some side.
+    pub fn traces(&self) -> bool {
+        self.sides.iter().any(Side::traces)
+    }
+
+    /// Hands over what rays go through, to all sides.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_ray_casters`]; then maps alone answer.
+    pub fn set_ray_casters(&mut self, casters: &RayCasters) -> Result<(), RenderError> {
+        self.sides[0].set_ray_casters(casters)
     }
 
     /// Shows a frame on a side. Returns whether it had to be drawn.
@@ -148,6 +169,11 @@ impl Drawing {
     /// Returns the size of a side's shadow maps and of what is made of them, bytes.
     pub fn bytes(&self, side: usize) -> u64 {
         self.sides.get(side).map_or(0, Side::bytes)
+    }
+
+    /// Returns the size of the casters that a side's rays go through, bytes; 0 where maps alone answer. Both sides have the same.
+    pub fn occluder_bytes(&self, side: usize) -> u64 {
+        self.sides.get(side).map_or(0, Side::occluder_bytes)
     }
 
     /// Returns the shadow map of a view of a side, as a picture of `side_px` pixels a side. Where the maps are not those of

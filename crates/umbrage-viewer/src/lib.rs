@@ -19,6 +19,7 @@ pub mod world;
 
 mod action;
 mod bvh_build;
+mod caster_build;
 mod colours;
 mod device_errors;
 mod drawing;

@@ -1,9 +1,10 @@
 //! What is open: a world, how it is seen, and what of it is on the device.
 
 use eframe::egui;
-use umbrage::Settings;
+use umbrage::{Exact, Settings};
 use umbrage_render::{Frame, RenderError};
 
+use crate::caster_build::WorldCasters;
 use crate::drawing::Drawing;
 use crate::input;
 use crate::timings::Timings;
@@ -30,6 +31,8 @@ pub struct Session {
     pub truth: TruthOverlay,
     /// How long they take.
     pub timings: Timings,
+    /// What its rays go through.
+    casters: WorldCasters,
     trial: Option<Trial>,
 }
 
@@ -46,7 +49,7 @@ impl Session {
     /// Opens a world whose drawing was made for the view's settings.
     pub fn new(world: World, view: ViewState, drawing: Drawing) -> Self {
         let (truth, timings) = (TruthOverlay::default(), Timings::default());
-        Self { world, view, drawing, truth, timings, trial: None }
+        Self { world, view, drawing, truth, timings, casters: WorldCasters::default(), trial: None }
     }
 
     /// Draws the edited side with other settings.
@@ -98,6 +101,24 @@ impl Session {
         }
     }
 
+    /// Makes what rays go through where settings ask for some, beside the window, and hands it over when it is ready.
+    ///
+    /// # Errors
+    /// Once, in one line, where there can be none; then maps alone answer.
+    pub fn advance_casters(&mut self, context: &egui::Context) -> Result<(), String> {
+        if self.casters.advance(context, &mut self.drawing, &self.world.scene)? {
+            // In a page the device refuses them late, as it does settings.
+            let before = self.view.settings.clone().map(|side| Settings { exact: Exact::Off, ..side });
+            self.trial = Some(Trial { before, frames: 0 });
+        }
+        Ok(())
+    }
+
+    /// Returns whether something is made for rays to go through.
+    pub fn is_making_casters(&self) -> bool {
+        self.casters.waits_for().is_some()
+    }
+
     /// Lets time go on: keys fly the camera, things move, the path is followed. Returns whether anything moves.
     pub fn go_forward(&mut self, context: &egui::Context) -> bool {
         let view = &mut self.view;
@@ -128,7 +149,7 @@ impl Session {
     /// # Errors
     /// When a side cannot be drawn or compared.
     pub fn draw(&mut self, context: &egui::Context, size_px: [u32; 2]) -> Result<(), RenderError> {
-        let Self { world, view, drawing, truth, timings, trial: _ } = self;
+        let Self { world, view, drawing, truth, timings, casters: _, trial: _ } = self;
         let frame = view.frame(&world.scene, size_px)?;
         let mut has_drawn = false;
         for side in 0..drawing.sides() {
@@ -147,7 +168,7 @@ impl Session {
             return Ok(());
         }
         let (camera, lights) = (view.camera(), view.lights(&world.scene));
-        let shot = Shot { camera, lights, frame, settings: view.sides().to_vec() };
+        let shot = Shot { camera, lights, frame, settings: view.sides().to_vec(), traces: drawing.traces() };
         // While the picture changes, nothing is traced: it would slow it, and be thrown away.
         if has_drawn {
             truth.wait(&shot);
@@ -165,8 +186,8 @@ impl Session {
         self.view.truth = false;
     }
 
-    /// Returns what the comparison waits for, in words for people.
-    pub fn waits_for(&self) -> Option<&str> {
-        self.truth.waits_for().filter(|_| self.view.truth)
+    /// Returns what the pictures and the comparison wait for, in words for people.
+    pub fn waits_for(&self) -> impl Iterator<Item = &str> {
+        self.casters.waits_for().into_iter().chain(self.truth.waits_for().filter(|_| self.view.truth))
     }
 }

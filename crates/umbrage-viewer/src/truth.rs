@@ -30,6 +30,8 @@ pub struct Shot {
     pub frame: Frame,
     /// The settings of each side; one, or two where they are compared.
     pub settings: Vec<Settings>,
+    /// Whether rays are traced where the settings ask for some; before there is something to trace, maps alone answer.
+    pub traces: bool,
 }
 
 /// What is known of one side's shadows.

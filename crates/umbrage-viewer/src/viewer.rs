@@ -168,9 +168,14 @@ impl Viewer {
         self.tasks.loading()
     }
 
-    /// Returns whether no world is being loaded and no ray is traced.
+    /// Returns whether no world is being loaded, nothing is made for rays to go through, and no ray of the truth is traced.
     pub fn is_at_rest(&self) -> bool {
-        !self.is_loading() && !self.is_tracing()
+        !self.is_loading() && !self.is_making_casters() && !self.is_tracing()
+    }
+
+    /// Returns whether something is made for rays to go through; maps alone answer until then.
+    pub fn is_making_casters(&self) -> bool {
+        self.session.as_ref().is_some_and(Session::is_making_casters)
     }
 
     fn is_tracing(&self) -> bool {
@@ -212,9 +217,9 @@ impl Viewer {
     fn picture(&mut self, ui: &mut egui::Ui) {
         let is_lost = self.lost().is_some();
         let (rect, mut actions) = panels::picture::show(ui, self.session.as_mut(), is_lost);
-        let waits_for = self.session.as_ref().and_then(|session| session.waits_for());
         let loading = self.tasks.loading();
-        let under_way: Vec<&str> = [loading.as_deref(), waits_for].into_iter().flatten().collect();
+        let waits_for = self.session.iter().flat_map(Session::waits_for);
+        let under_way: Vec<&str> = loading.as_deref().into_iter().chain(waits_for).collect();
         actions.extend(panels::messages::show(ui, rect, &under_way, self.messages.all()));
         self.act(ui.ctx(), actions);
     }
@@ -267,7 +272,7 @@ impl eframe::App for Viewer {
             self.act(ui.ctx(), actions);
         }
         // A task paints when it is done; until then the spinner that shows it must turn.
-        if moves || self.tasks.need_repaint() || self.is_tracing() {
+        if moves || self.tasks.need_repaint() || self.is_making_casters() || self.is_tracing() {
             ui.ctx().request_repaint();
         }
     }

@@ -6,12 +6,13 @@
 use std::sync::Arc;
 
 use eframe::egui::{self, Vec2};
+use eframe::egui_wgpu;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::Vec3;
 use umbrage::schema::{self, Values};
-use umbrage::{Contact, Filter, Settings, Shade, Warp};
-use umbrage_render::Exposure;
+use umbrage::{Contact, Exact, Filter, Settings, Shade, Warp};
+use umbrage_render::{Exposure, Gpu};
 use umbrage_scene::rig::{Animation, Channel, Node, Place, Rig, Track};
 use umbrage_scene::{Curve, Keys};
 use umbrage_viewer::load::Source;
@@ -124,10 +125,15 @@ fn whole(world: &str) -> Harness<'static, Viewer> {
 
 /// The whole program as it begins with this.
 fn with(world: &str, start: Start) -> Harness<'static, Viewer> {
+    on(native::setup(Some("vulkan".to_owned())), world, start)
+}
+
+/// The same on a device of one's own.
+fn on(setup: egui_wgpu::WgpuSetup, world: &str, start: Start) -> Harness<'static, Viewer> {
     let mut harness = Harness::builder()
         .with_size(Vec2::new(1100.0, 1400.0))
         .with_max_steps(16)
-        .wgpu_setup(native::setup(Some("vulkan".to_owned())))
+        .wgpu_setup(setup)
         .build_eframe(move |creation| Viewer::new(creation, start).expect("a device"));
     for _ in 0..2000 {
         harness.step();
@@ -252,4 +258,69 @@ fn an_animation_is_chosen_played_and_held_where_it_is_put() {
     harness.run_steps(4);
     let held = view(&mut harness);
     assert!(!held.playing && (held.seconds - 2.5).abs() < 1e-3, "held at {} s", held.seconds);
+}
+
+#[test]
+fn rays_are_traced_when_their_casters_are_ready_and_both_sides_share_them() {
+    let mut harness = whole("primitives");
+    assert!(!harness.state().is_making_casters(), "nobody asked for rays");
+    let exact = |harness: &mut Harness<'_, Viewer>, side: usize, exact: Exact| {
+        harness.state_mut().view().expect("a world").edited = side;
+        harness.run_steps(2);
+        let name = format!("{exact:?}").to_lowercase();
+        let is_menu =
+            |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == egui::accesskit::Role::ComboBox;
+        harness.get_all_by_label("exact").find(is_menu).expect("a menu").click();
+        harness.run_steps(4);
+        harness.get_all_by_label(&name).last().expect("an item").click();
+        harness.run_steps(4);
+    };
+    let memory = |harness: &Harness<'_, Viewer>| {
+        harness.query_all_by_label_contains("MiB of casters for rays").count()
+    };
+    exact(&mut harness, 0, Exact::Undecided);
+    assert_eq!(harness.state().settings().expect("a world").exact, Exact::Undecided);
+    for _ in 0..2000 {
+        harness.step();
+        if !harness.state().is_making_casters() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    harness.run_steps(4);
+    assert_eq!(harness.state().messages(), [""; 0]);
+    assert_eq!(memory(&harness), 1, "what rays go through is counted");
+    harness.get_by_label("compare two settings").click();
+    harness.run_steps(4);
+    exact(&mut harness, 1, Exact::Always);
+    assert!(!harness.state().is_making_casters(), "both sides have the same");
+    assert_eq!(memory(&harness), 1, "and the right side shows them too");
+}
+
+#[test]
+fn a_device_that_takes_no_casters_is_said_so_of_once_and_maps_go_on() {
+    let egui_wgpu::WgpuSetup::CreateNew(mut setup) = native::setup(Some("vulkan".to_owned())) else {
+        panic!("the window makes its own device");
+    };
+    setup.device_descriptor = Arc::new(|adapter| {
+        let mut wanted = Gpu::wanted_device(adapter);
+        wanted.required_limits.max_storage_buffer_binding_size = 16 << 10;
+        wanted
+    });
+    let settings = Settings { exact: Exact::Always, ..Settings::default() };
+    let start = Start::new(Source::Named("primitives".to_owned()), settings);
+    let mut harness = on(egui_wgpu::WgpuSetup::CreateNew(setup), "primitives", start);
+    for _ in 0..400 {
+        harness.step();
+        if !harness.state().messages().is_empty() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    harness.run_steps(8);
+    let [message] = harness.state().messages() else { panic!("{:?}", harness.state().messages()) };
+    assert!(message.contains("maps alone answer") && message.contains("hold 16384"), "{message}");
+    assert!(!harness.state().is_making_casters(), "it is not tried again");
+    assert_eq!(harness.query_all_by_label_contains("MiB of casters for rays").count(), 0);
+    assert!(harness.query_all_by_label_contains("4 maps").count() > 0, "and there is a picture");
 }

@@ -143,13 +143,17 @@ impl Parts {
             || texture(&self.filtered) != texture(&old.filtered)
     }
 
-    /// Bytes of everything that lookups read and that it is made from.
+    /// Bytes of the casters that rays go through; 0 where none are bound.
+    pub fn occluder_bytes(&self) -> u64 {
+        self.occluders.as_ref().map_or(0, Occluders::bytes)
+    }
+
+    /// Bytes of all maps that lookups read and that those are made from.
     pub fn bytes(&self) -> u64 {
         self.maps.layout.bytes()
             + self.layers.as_ref().map_or(0, Layers::bytes)
             + self.still.as_ref().map_or(0, |still| still.maps.layout.bytes())
             + self.filtered.as_ref().map_or(0, |filtered| filtered.textures().bytes())
-            + self.occluders.as_ref().map_or(0, Occluders::bytes)
     }
 }
 

@@ -7,11 +7,12 @@ use std::sync::Arc;
 use serde::Serialize;
 use umbrage::{Camera, Settings};
 use umbrage_judge::statistics::Spread;
-use umbrage_lab::{Milliseconds, Shot};
+use umbrage_lab::{Milliseconds, Rays, Shot};
 use umbrage_render::{Frame, Gpu, Renderer, Show, ViewLoad};
 use umbrage_scene::Scene;
 
 use self::batch::{Bench, Timed, Way};
+use super::measure::memory_of_rays;
 use crate::args::{BaselineArg, BenchArgs};
 use crate::failure::Outcome;
 use crate::{advice, output, progress, settings, world};
@@ -36,6 +37,11 @@ struct Report<'a> {
     settings: &'a Settings,
     texels: u64,
     bytes: u64,
+    /// Bytes of the casters that rays go through; 0 where maps alone answer.
+    occluder_bytes: u64,
+    /// How long their hierarchies took to build, seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    occluder_seconds: Option<f64>,
     frames: usize,
     milliseconds: Times,
     /// The same frames drawn otherwise, batch by batch in turn in the same run.
@@ -82,7 +88,8 @@ pub fn run(args: &BenchArgs) -> Outcome {
     advice::warn(&scene, &settings);
     let shot = world::shot(&args.world, &scene, world::PICTURE)?;
     let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
-    let mut renderer = Renderer::new(&gpu, &scene, settings)?;
+    let (mut renderer, rays) = Rays::renderer(&gpu, &scene, &settings)?;
+    advice::warn_of_rays(&rays);
     let [shadowed, unshadowed, unculled, forgetful] = timed(args, &scene, &shot, &gpu, &mut renderer)?;
     let layout = renderer.shadows().layout();
     let report = Report {
@@ -96,6 +103,8 @@ pub fn run(args: &BenchArgs) -> Outcome {
         settings: renderer.shadows().settings(),
         texels: layout.texels(),
         bytes: renderer.shadows().bytes(),
+        occluder_bytes: renderer.shadows().occluder_bytes(),
+        occluder_seconds: rays.seconds(),
         frames: shadowed.frames.len(),
         milliseconds: Times::of(&shadowed),
         baselines: (!args.baselines.is_empty()).then(|| Baselines {
@@ -192,8 +201,9 @@ fn view(load: ViewLoad) -> View {
 fn text(report: &Report<'_>) -> String {
     let Report { world, triangles, width, height, adapter, frames, bytes, .. } = report;
     let clock = if report.timestamps { "device timestamps" } else { "wall clock" };
+    let casters = memory_of_rays(report.occluder_bytes, report.occluder_seconds);
     let mut text = format!(
-        "{world}: {triangles} triangles, {width} x {height}, {frames} frames on {adapter}\n{bytes} bytes of shadow maps; passes by {clock}, each frame waited for; frames as a window draws them, in the mean\n"
+        "{world}: {triangles} triangles, {width} x {height}, {frames} frames on {adapter}\n{bytes} bytes of shadow maps{casters}; passes by {clock}, each frame waited for; frames as a window draws them, in the mean\n"
     );
     text += &table(&report.milliseconds);
     for View { light, split, draws, triangles } in &report.views {

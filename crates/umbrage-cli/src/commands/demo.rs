@@ -1,13 +1,13 @@
-//! `umbrage demo`: a world two ways from one camera, beside the truth, as one picture that explains itself.
+//! `umbrage demo`: a world three ways from one camera, beside the truth, as one picture that explains itself.
 //!
 //! A column a technique: the picture; where it is wrong; which map serves what; the shadow maps; what they cost.
-//! The last column is exact.
+//! The last technique traces what its maps cannot decide, and the last column is the judge's own tracing.
 
 use std::sync::Arc;
 
 use anyhow::Context as _;
 use image::RgbaImage;
-use umbrage::{LightKind, Settings, ShadowPlan};
+use umbrage::{Exact, LightKind, Settings, ShadowPlan};
 use umbrage_lab::{Judged, Laboratory, Measurement, Shot, TruthKind};
 use umbrage_render::{Drawn, Frame, Gpu, Mark, Picture, Renderer, Show};
 use umbrage_scene::{Scene, Shining};
@@ -17,7 +17,7 @@ use crate::commands::plan::splits_text;
 use crate::commands::render::GREY_MAP;
 use crate::failure::{Failure, Outcome};
 use crate::label::Sheet;
-use crate::{commands::view, output, progress, world};
+use crate::{advice, commands::view, output, progress, world};
 
 /// Pictures are drawn and printed this large, pixels.
 const WIDTH: u32 = 640;
@@ -29,7 +29,7 @@ const MAP: u32 = (WIDTH - 3 * GAP) / 4;
 /// Room for the words over and under pictures.
 const HEAD: u32 = 96;
 const LINE: u32 = 26;
-const WORDS: u32 = 7 * LINE;
+const WORDS: u32 = 8 * LINE;
 
 /// As many maps as a picture is wide.
 const MOST_VIEWS: usize = 4;
@@ -39,8 +39,8 @@ const RUNS: u32 = 5;
 
 /// What the rows are, in the column that has no shadow maps to show.
 const LEGEND: [&str; 16] = [
-    "Upper row: the world as it is drawn; here with exact shadows,",
-    "rays from every pixel to the light.",
+    "Upper row: the world as it is drawn; here with the shadows that",
+    "the others are judged by, a ray from every pixel to the light.",
     "",
     "Second row: where shadows are wrong. Orange is shadowed and",
     "should be lit, blue is lit and should be shadowed. What is",
@@ -79,13 +79,16 @@ pub fn run(args: &DemoArgs) -> Outcome {
     let four = Settings::default();
     // The same bytes and all else alike: what differs is the splits.
     let one = Settings { splits: 1, resolution: 2 * four.resolution, ..four.clone() };
-    let bar = progress::bar(2, "drawing and judging");
+    // The same maps once more: what differs is the rays.
+    let exact = Settings { exact: Exact::Undecided, ..four.clone() };
+    let bar = progress::bar(3, "drawing and judging");
     let mut columns = Vec::new();
-    for settings in [one, four] {
+    for settings in [one, four, exact] {
         columns.push(column(&mut laboratory, &shot, &settings, gpu.adapter.timestamps)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
+    advice::warn_of_rays(laboratory.rays());
     let lights =
         if shot.lights.len() == 1 { "one light".to_owned() } else { format!("{} lights", shot.lights.len()) };
     let heading =
@@ -137,15 +140,20 @@ fn column(
     let maps = thumbnails(renderer, &drawn);
     let tinted = image_of(renderer.show(&drawn, &Show::Marked(Mark::Splits))?.picture()?)?;
     let words = words(&judged.measurement, &judged.plan, has_timestamps)?;
-    let Judged { heat_map, plan: judged_plan, .. } = judged;
+    let Judged { heat_map, plan: judged_plan, measurement, .. } = judged;
     let wrong = image_of(heat_map)?;
     // Splits are a sun's.
-    let title = match (main_rays(&judged_plan), settings.splits) {
+    let maps_title = match (main_rays(&judged_plan), settings.splits) {
         (Some(LightKind::Directional { .. }), 1) => format!("One shadow map of {}²", settings.resolution),
         (Some(LightKind::Directional { .. }), splits) => {
             format!("{splits} splits of {}²", settings.resolution)
         }
         _ => views_text(&judged_plan),
+    };
+    let title = if measurement.occluder_bytes > 0 {
+        format!("Exact, in real time: {maps_title}, and rays")
+    } else {
+        maps_title
     };
     Ok(Column { title, shadowed, wrong, tinted, maps, words, truth })
 }
@@ -173,7 +181,7 @@ fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> 
     let percent = |share: f64| format!("{:.2} %", 100.0 * share);
     let edges =
         error.edge_displacement_px.map_or_else(String::new, |px| format!("; edges off by {px:.2} pixels"));
-    Ok(vec![
+    let mut words = vec![
         match main_rays(plan) {
             Some(LightKind::Directional { .. }) => format!("splits {} m", splits_text(plan.splits())),
             _ => views_text(plan),
@@ -191,7 +199,14 @@ fn words(measurement: &Measurement, plan: &ShadowPlan, has_timestamps: bool) -> 
             "casters {:.2} ms, shading {:.2} ms ({clock}, median of {RUNS})",
             times.casters.median, times.shade.median
         ),
-    ])
+    ];
+    if let Some(seconds) = measurement.occluder_seconds.filter(|_| measurement.occluder_bytes > 0) {
+        words.push(format!(
+            "and {} bytes of casters for rays, built once in {seconds:.1} s",
+            measurement.occluder_bytes
+        ));
+    }
+    Ok(words)
 }
 
 /// A picture of half the size: each pixel is the mean of four.
@@ -232,7 +247,7 @@ fn compose(heading: &str, columns: &[Column]) -> anyhow::Result<RgbaImage> {
         }
         x += WIDTH + GAP;
     }
-    sheet.write("Exact shadows, traced", x, HEAD - LINE - 8, 24.0);
+    sheet.write("Exact, traced by the judge", x, HEAD - LINE - 8, 24.0);
     if let Some(column) = columns.last() {
         sheet.place(&column.truth, x, HEAD, WIDTH, HEIGHT);
     }

@@ -62,6 +62,7 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     }
     let mut judged = laboratory.judge(&shot, &settings, technique(&mut family), kind(args), args.frames)?;
     bar.inc(1);
+    advice::warn_of_rays(laboratory.rays());
     if judged.measurement.error.is_none() {
         return Err(
             anyhow::anyhow!("no pixels to judge: the camera sees nothing that a light could reach").into()
@@ -210,11 +211,24 @@ fn text(measurement: &Measurement, intervals: Option<&BTreeMap<&'static str, Sur
 }
 
 /// What shadows are read from: maps, or another family with maps or without.
-fn memory_text(Measurement { texels, bytes, made_ready, .. }: &Measurement) -> String {
+fn memory_text(measurement: &Measurement) -> String {
+    let Measurement { texels, bytes, occluder_bytes, occluder_seconds, made_ready, .. } = measurement;
+    let casters = memory_of_rays(*occluder_bytes, *occluder_seconds);
     match (made_ready, texels) {
-        (None, texels) => format!("{texels} texels, {bytes} bytes of shadow maps\n"),
+        (None, texels) => format!("{texels} texels, {bytes} bytes of shadow maps{casters}\n"),
         (Some(_), 0) => format!("{bytes} bytes, and no shadow maps\n"),
-        (Some(_), texels) => format!("{bytes} bytes, among them shadow maps of {texels} texels\n"),
+        (Some(_), texels) => {
+            format!("{bytes} bytes, among them shadow maps of {texels} texels{casters}\n")
+        }
+    }
+}
+
+/// What rays go through, after the maps; nothing where maps alone answer.
+pub fn memory_of_rays(bytes: u64, seconds: Option<f64>) -> String {
+    match (bytes, seconds) {
+        (0, _) => String::new(),
+        (bytes, None) => format!(", {bytes} bytes of casters for rays"),
+        (bytes, Some(seconds)) => format!(", {bytes} bytes of casters for rays, built in {seconds:.2} s"),
     }
 }
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use image::ExtendedColorType;
-use umbrage::Settings;
+use umbrage::{Exact, Settings};
 use umbrage_lab::aliasing::{Aliasing, AliasingSummary, heat_map};
-use umbrage_lab::{Laboratory, Shot};
+use umbrage_lab::{Laboratory, Rays, Shot};
 use umbrage_render::{Area, Drawn, Frame, Gpu, MapLook, Mark, RenderError, Renderer, Show};
 use umbrage_scene::Scene;
 
@@ -35,7 +35,8 @@ pub fn run(args: &RenderArgs) -> Outcome {
     if let Some(path) = &args.aliasing {
         write_aliasing(path, &gpu, &scene, &shot, &settings)?;
     }
-    let mut renderer = Renderer::new(&gpu, &scene, settings)?;
+    let (mut renderer, rays) = Rays::renderer(&gpu, &scene, &settings)?;
+    advice::warn_of_rays(&rays);
     let area = args.area_samples.map(|samples| Area { samples, degrees: args.area_degrees });
     if let Some(path) = &args.visibility {
         let grey = visibility(&mut renderer, &frame, 0, area)?;
@@ -79,7 +80,9 @@ fn soft(renderer: &mut Renderer, frame: &Frame, area: Area) -> Result<Vec<f32>, 
 
 /// Writes how large texels look, and says it in a few numbers.
 fn write_aliasing(path: &Path, gpu: &Gpu, scene: &Scene, shot: &Shot, settings: &Settings) -> Outcome {
-    let Aliasing { extents, summary } = Laboratory::new(gpu, scene)?.aliasing(shot, settings, 0)?;
+    // Texels are those of the maps, whatever rays say.
+    let settings = Settings { exact: Exact::Off, ..settings.clone() };
+    let Aliasing { extents, summary } = Laboratory::new(gpu, scene)?.aliasing(shot, &settings, 0)?;
     let nothing =
         || anyhow::anyhow!("no texels to look at: the camera sees nothing that the light could reach");
     let AliasingSummary { median_px, p95_px, max_px, under_sampled, over_sampled, utilisation } =

@@ -9,7 +9,7 @@ use umbrage_scene::{Camera, Imported, Scene, Shining};
 
 use crate::args::ReportArgs;
 use crate::failure::{Failure, Outcome};
-use crate::{contact_sheet, output, progress, world};
+use crate::{advice, contact_sheet, output, progress, world};
 
 pub fn run(args: &ReportArgs) -> Outcome {
     let (experiment, scenes) = read(&args.experiment)?;
@@ -74,6 +74,8 @@ fn measure(
 ) -> Result<Vec<Row>, LabError> {
     let bar = progress::bar(entries.len() as u64, "runs");
     let mut current: Option<(&str, Laboratory<'_>)> = None;
+    // Each is said once, however many runs ask for rays.
+    let mut refused = BTreeSet::new();
     let rows = umbrage_lab::measure_all(
         entries,
         store,
@@ -85,7 +87,9 @@ fn measure(
                 Some(same) => current.insert(same),
                 None => current.insert((name, Laboratory::new(gpu, scene)?)),
             };
-            laboratory.measure(run)
+            let measured = laboratory.measure(run);
+            refused.extend(advice::of_rays(laboratory.rays()).map(|advice| format!("{name}: {advice}")));
+            measured
         },
         |_, _, was_stored| {
             bar.inc(1);
@@ -96,5 +100,6 @@ fn measure(
         },
     );
     bar.finish_and_clear();
+    world::warn(&refused.into_iter().collect::<Vec<_>>());
     rows
 }

@@ -146,6 +146,8 @@ fn row(
         settings: settings.clone(),
         texels,
         bytes: texels * 4,
+        occluder_bytes: 0,
+        occluder_seconds: None,
         made_ready: None,
         shadows_milliseconds: None,
         truth: TruthCounts {

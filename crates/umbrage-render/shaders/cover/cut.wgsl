@@ -2,7 +2,8 @@
 // and a file `edge_*.wgsl`.
 
 @fragment
-fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
+fn shade(receiver: Receiver, @location(3) colour: vec4f, samples: Samples) -> @location(0) vec4f {
+    asked_from_eye = place_of(receiver.from_eye, samples);
     let facing = geometric_normal(receiver.from_eye);
     let cut = cut_colour(receiver.uv, colour);
     let seen = shown(cut.rgb, receiver, facing);

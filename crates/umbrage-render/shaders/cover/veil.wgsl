@@ -2,7 +2,8 @@
 // `shown`.
 
 @fragment
-fn shade(receiver: Receiver, @location(3) colour: vec4f) -> @location(0) vec4f {
+fn shade(receiver: Receiver, @location(3) colour: vec4f, samples: Samples) -> @location(0) vec4f {
+    asked_from_eye = place_of(receiver.from_eye, samples);
     let base = base_colour(receiver.uv) * colour;
     return vec4f(shown(base.rgb, receiver, geometric_normal(receiver.from_eye)).rgb, coverage(base.a));
 }

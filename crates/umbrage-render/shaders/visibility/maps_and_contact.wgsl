@@ -3,7 +3,7 @@
 
 fn visibility_at(light: u32, receiver: Receiver, facing: vec3f) -> f32 {
     let position = scene.eye + receiver.from_eye;
-    let by_maps = umbrage_light_visibility(light, position, facing, receiver.clip.xy);
+    let by_maps = umbrage_light_visibility(light, scene.eye + asked_from_eye, facing, receiver.clip.xy);
     if by_maps == 0.0 {
         return 0.0;
     }

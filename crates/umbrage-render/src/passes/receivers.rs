@@ -8,7 +8,7 @@ use crate::gpu::Gpu;
 use crate::passes::prepass::Prepass;
 use crate::scene_buffers::{RECEIVER_BUFFERS, SceneBuffers};
 use crate::scene_uniform::SceneUniform;
-use crate::shaders::{self, Covering, Look, RECEIVER_ENTRY};
+use crate::shaders::{self, Covering, Look, Place, RECEIVER_ENTRY};
 use crate::target::{DEPTH_FORMAT, Encoding};
 
 /// Pipelines that shade receivers one way, for one kind of target.
@@ -101,12 +101,14 @@ impl Pipeline {
         let around = scene.surroundings.around;
         let contact = shadows.settings().contact.as_ref();
         let covering = Covering::of(look, cover, samples);
+        let place = Place::of(samples, shadows.settings().exact);
+        let receiver = shadows.wgsl(1);
         let text = shaders::receivers(
             look,
             scene.finish,
             around,
             covering,
-            &shadows.wgsl(1),
+            (&receiver, place),
             (contact, is_resolved),
         );
         let module = gpu.module("Receivers::module", text);

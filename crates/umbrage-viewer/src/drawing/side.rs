@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use eframe::{egui, egui_wgpu, wgpu};
-use umbrage::Settings;
-use umbrage_render::{ComingPicture, Drawn, Frame, MapLook, RenderError, Renderer, Show};
+use umbrage::{Exact, Settings};
+use umbrage_render::{ComingPicture, Drawn, Frame, MapLook, RayCasters, RenderError, Renderer, Show};
 
 use super::texture::EguiTexture;
 use crate::timings::PassTimes;
@@ -29,6 +29,8 @@ pub struct Side {
 struct Shown {
     frame: Frame,
     settings: Settings,
+    /// Whether rays were traced for it.
+    traces: bool,
     drawn: Drawn,
 }
 
@@ -51,14 +53,35 @@ impl Side {
         self.renderer.set_settings(settings.clone())
     }
 
+    /// Returns whether the settings ask for rays.
+    pub fn asks_for_rays(&self) -> bool {
+        self.renderer.shadows().settings().exact != Exact::Off
+    }
+
+    /// Returns whether there is something to trace for them.
+    pub fn has_ray_casters(&self) -> bool {
+        self.renderer.has_ray_casters()
+    }
+
+    /// Returns whether rays are traced.
+    pub fn traces(&self) -> bool {
+        self.asks_for_rays() && self.has_ray_casters()
+    }
+
+    /// Hands over what rays go through, to this side and those beside it.
+    pub fn set_ray_casters(&mut self, casters: &RayCasters) -> Result<(), RenderError> {
+        self.renderer.set_ray_casters(casters)
+    }
+
     /// Shows a frame, and returns whether it had to be drawn. `window` is where egui puts pictures on the screen.
     pub fn draw(
         &mut self,
         frame: &Frame,
         window: Option<&egui_wgpu::RenderState>,
     ) -> Result<bool, RenderError> {
-        let settings = self.renderer.shadows().settings();
-        let is_wanted = |shown: &Shown| shown.frame == *frame && shown.settings == *settings;
+        let (settings, traces) = (self.renderer.shadows().settings(), self.traces());
+        let is_wanted =
+            |shown: &Shown| shown.frame == *frame && shown.settings == *settings && shown.traces == traces;
         if self.shown.as_ref().is_some_and(is_wanted) {
             return Ok(false);
         }
@@ -69,7 +92,7 @@ impl Side {
             self.egui_texture.show(window, &texture);
         }
         self.awaited.push_back(Some(drawn.plan_milliseconds()));
-        self.shown = Some(Shown { frame: frame.clone(), settings, drawn });
+        self.shown = Some(Shown { frame: frame.clone(), settings, traces, drawn });
         Ok(true)
     }
 
@@ -119,6 +142,10 @@ impl Side {
 
     pub fn bytes(&self) -> u64 {
         self.renderer.shadows().bytes()
+    }
+
+    pub fn occluder_bytes(&self) -> u64 {
+        self.renderer.shadows().occluder_bytes()
     }
 
     /// Returns the shadow map of a view as a picture; `None` where the maps are not those of what is shown any more.

@@ -79,9 +79,16 @@ fn split_distances(ui: &mut egui::Ui, plan: &ShadowPlan, settings: &Settings) ->
 fn load(ui: &mut egui::Ui, plan: &ShadowPlan, drawing: &Drawing, side: usize) {
     let texels: u64 = plan.views().iter().map(|view| u64::from(view.tile.size).pow(2)).sum();
     let triangles: u64 = drawing.loads(side).iter().map(|load| load.triangles).sum();
-    let bytes = drawing.bytes(side) as f64 / f64::from(1 << 20);
+    let mebibytes = |bytes: u64| bytes as f64 / f64::from(1 << 20);
+    let bytes = mebibytes(drawing.bytes(side));
     ui.label(format!("{} maps, {:.1} M texels, {bytes:.1} MiB", plan.views().len(), texels as f64 / 1e6))
         .on_hover_text("Texels of depth; and the memory of all textures that lookups read or are made from.");
+    if drawing.occluder_bytes(side) > 0 {
+        ui.label(format!("{:.1} MiB of casters for rays", mebibytes(drawing.occluder_bytes(side))))
+            .on_hover_text(
+                "The triangles that rays go through, and the boxes around them; both sides share them.",
+            );
+    }
     ui.label(format!("{triangles} triangles cast"))
         .on_hover_text("Triangles drawn into all shadow maps of the last picture.");
 }

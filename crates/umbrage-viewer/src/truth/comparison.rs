@@ -81,7 +81,7 @@ impl Comparison {
         if lights == 0 {
             return Ok(false);
         }
-        let Shot { camera, lights, frame, settings: _ } = &self.shot;
+        let Shot { camera, lights, frame, settings: _, traces: _ } = &self.shot;
         let eye = Eye::new(camera, frame.width, frame.height);
         let lights = || lights.iter().map(|light| umbrage_judge::Light::at(light, &frame.pose)).collect();
         let progress =

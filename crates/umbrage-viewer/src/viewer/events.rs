@@ -31,6 +31,9 @@ impl Viewer {
             if self.tasks.saving.is_some() {
                 session.drawing.poll();
             }
+            if let Err(why) = session.advance_casters(context) {
+                self.messages.say(format!("nothing is traced, and shadow maps alone answer: {why}"));
+            }
         }
         let mut events = self.tasks.poll();
         let errors = self.device_errors.take();

@@ -33,9 +33,16 @@ impl Shadows {
         &self.settings
     }
 
-    /// Bytes of everything that lookups read and that it is made from: maps, second surfaces, moments, sums, scratch.
+    /// Bytes of everything that lookups read and that it is made from: maps, second surfaces, moments, sums, scratch. What rays go
+    /// through is not among it: see [`Self::occluder_bytes`].
     pub fn bytes(&self) -> u64 {
         self.parts.bytes()
+    }
+
+    /// Bytes of the casters that rays go through. It is 0 where the settings ask for no rays, or none were
+    /// [handed over](Self::set_occluders), so that maps alone answer.
+    pub fn occluder_bytes(&self) -> u64 {
+        self.parts.occluder_bytes()
     }
 
     /// Returns how the maps lie in their texture, which says how many texels and bytes they are.

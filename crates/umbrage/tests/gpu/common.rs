@@ -14,15 +14,33 @@ pub fn device(backend: wgpu::Backends) -> (wgpu::Device, wgpu::Queue) {
 
 /// The same without some of the features that shadows want.
 pub fn device_without(backend: wgpu::Backends, missing: wgpu::Features) -> (wgpu::Device, wgpu::Queue) {
+    device_of(backend, missing, |_| ())
+}
+
+/// The same with limits that are less than the adapter's.
+pub fn device_with(
+    backend: wgpu::Backends,
+    lower: impl Fn(&mut wgpu::Limits),
+) -> (wgpu::Device, wgpu::Queue) {
+    device_of(backend, wgpu::Features::empty(), lower)
+}
+
+fn device_of(
+    backend: wgpu::Backends,
+    missing: wgpu::Features,
+    lower: impl Fn(&mut wgpu::Limits),
+) -> (wgpu::Device, wgpu::Queue) {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends: backend,
         ..wgpu::InstanceDescriptor::new_without_display_handle()
     });
     let adapters = pollster::block_on(instance.enumerate_adapters(backend));
     let adapter = adapters.first().unwrap_or_else(|| panic!("no {backend:?} adapter: run scripts/setup"));
+    let mut required_limits = adapter.limits();
+    lower(&mut required_limits);
     pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         required_features: Capabilities::wanted_features(adapter) - missing,
-        required_limits: adapter.limits(),
+        required_limits,
         ..Default::default()
     }))
     .expect("the adapter gives a device with what it says it has")

@@ -14,6 +14,7 @@ mod layers;
 mod lookup;
 mod masks;
 mod moments;
+mod occluders;
 mod plane;
 mod samples;
 mod sheets;
