@@ -81,7 +81,7 @@ impl TopLevel {
             }
         }
         if boxes.is_empty() {
-            // A box that no ray meets.
+            // A node that leads nowhere.
             all.nodes.push(Node { low: [1.0; 3], next: 1, high: [-1.0; 3], leaf: 0 });
             return all;
         }

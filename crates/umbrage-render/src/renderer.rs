@@ -108,11 +108,12 @@ impl Renderer {
             return Ok(());
         }
         let Some(occluders) = self.scene.occluders.get() else { return Ok(()) };
+        // What is refused once is refused again.
+        self.has_taken_casters = true;
         let mut shadows = self.shadows.clone();
         let set = || shadows.set_occluders(&self.gpu.device, Some(occluders.clone()));
         let changed = self.gpu.allocate("what rays go through", set)?;
         self.use_shadows(shadows, changed);
-        self.has_taken_casters = true;
         Ok(())
     }
 

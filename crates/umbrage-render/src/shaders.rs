@@ -7,7 +7,7 @@ mod covering;
 
 use std::fmt::Write as _;
 
-use umbrage::{Contact, Exact, contact_wgsl};
+use umbrage::{Contact, contact_wgsl};
 
 pub(crate) use covering::{Covering, RECEIVER_ENTRY, casters, depth, places, vertex_entry};
 
@@ -105,8 +105,8 @@ pub(crate) enum Place {
 impl Place {
     /// The place that suits pixels of so many samples. Maps stand off a place beside the triangle as they do off their own
     /// texels; rays do not.
-    pub fn of(samples: u32, exact: Exact) -> Self {
-        if samples > 1 && exact != Exact::Off { Self::Covered } else { Self::Centre }
+    pub fn of(samples: u32, traces: bool) -> Self {
+        if samples > 1 && traces { Self::Covered } else { Self::Centre }
     }
 
     fn text(self) -> &'static str {

@@ -1,7 +1,7 @@
 //! Shading a frame: the camera's depth where that pays or contact shadows want it, receivers, then the sky; pipelines made when
 //! they are first needed, and kept by what they depend on.
 
-use umbrage::Shadows;
+use umbrage::{Resolve, Shadows};
 
 use crate::cover::Cover;
 use crate::drawn::Planned;
@@ -306,7 +306,9 @@ impl Shading {
         let asks = look.is_some_and(|look| look.visibility(false, false) == Visibility::Maps);
         let is_whole = target.shape.samples == 1
             && (!scene.covers.contains(&Cover::Veil) || look.is_some_and(|look| !look.blends()));
-        let wanted = traces && asks && is_whole && !planned.plan.lights().is_empty();
+        let lights = planned.plan.lights().len();
+        let has_room = Resolve::has_room(&gpu.device, target.shape.size, lights);
+        let wanted = traces && asks && is_whole && lights > 0 && has_room;
         if wanted && self.resolving.is_none() {
             self.resolving = Resolving::new(gpu, shadows);
         }

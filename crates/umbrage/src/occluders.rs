@@ -5,6 +5,7 @@ use std::ops::Range;
 use umbrage_occluders::{Geometry, InstanceRecord, Node, TopLevel};
 use umbrage_wgsl::{FIRST_OCCLUDER_BINDING, OccluderTraits};
 
+use crate::capabilities::Capabilities;
 use crate::error::ShadowError;
 use crate::refit::{BentMesh, Hierarchy, RefitPass};
 
@@ -53,20 +54,27 @@ pub struct OccluderRoom {
     pub left_to_maps: bool,
 }
 
-/// What buffers a shader reads that traces, beside the frame.
+/// What buffers a shader reads that traces: the frame, and what rays go through.
 const STORAGE_BUFFERS: u32 = 6;
 
 impl Occluders {
     /// Puts casters onto the device. None stands anywhere before [`Self::place`].
     ///
     /// # Errors
-    /// When a buffer is larger than the device allows, or shaders may not read so many.
+    /// When a buffer is larger than the device allows, or shaders may not read so many, or no depths as numbers (GL).
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         geometry: &Geometry,
         room: OccluderRoom,
     ) -> Result<Self, ShadowError> {
+        if !Capabilities::of(device).loads_depth {
+            return Err(ShadowError::Unsupported {
+                what: "`exact`",
+                missing: "shaders that read depths as numbers",
+                remedy: "use Vulkan, Metal, DX12 or WebGPU, or set `exact` to \"off\"",
+            });
+        }
         let limits = device.limits();
         let max = limits.max_storage_buffers_per_shader_stage;
         if max < STORAGE_BUFFERS {

@@ -52,7 +52,8 @@ impl RefitPass {
         let limits = device.limits();
         check(&limits)?;
         let (lists, starts) = lists(geometry);
-        let bytes = positions.size.map_or(positions.buffer.size() - positions.offset, u64::from);
+        let bytes =
+            positions.size.map_or(positions.buffer.size().saturating_sub(positions.offset), u64::from);
         let vertices = bytes / 12;
         let record = |bent: &BentMesh| {
             let record = record(geometry, &starts, hierarchy.top_nodes, bent, vertices);

@@ -30,14 +30,21 @@ struct Room {
     left_group: wgpu::BindGroup,
 }
 
+/// What buffers a shader reads and writes that traces what is left: the frame, what rays go through, the answers and the list.
+const STORAGE_BUFFERS: u32 = 8;
+
 /// Pixels a side of a workgroup that decides.
 const PIXELS: u32 = 8;
 
 impl Resolve {
-    /// Makes the steps; `None` where these shadows trace nothing. Make them anew where
+    /// Makes the steps; `None` where these shadows trace nothing, or shaders of the device read fewer than eight storage buffers: then
+    /// ask in the shading pass. Make them anew where
     /// [`Changed::receivers`](crate::Changed::receivers) says so.
     pub fn new(device: &wgpu::Device, shadows: &Shadows) -> Option<Self> {
         let text = resolve(shadows.key())?;
+        if device.limits().max_storage_buffers_per_shader_stage < STORAGE_BUFFERS {
+            return None;
+        }
         let objects = Objects::new(device);
         let layout = bindings::group_layout(&objects, "Resolve::layout", &resolve_bindings());
         let left_layout = bindings::group_layout(&objects, "Resolve::left_layout", &left_bindings());
@@ -63,10 +70,17 @@ impl Resolve {
         Some(Self { layout, decide, trace, left_layout, count, room: None })
     }
 
+    /// Whether a device has room for the answers for a picture of so many pixels under so many lights, four bytes each.
+    pub fn has_room(device: &wgpu::Device, [width, height]: [u32; 2], lights: usize) -> bool {
+        let limits = device.limits();
+        let most = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        4 + 4 * u64::from(width) * u64::from(height) * lights as u64 <= most
+    }
+
     /// Records the steps for a plan of so many lights that is uploaded and drawn. Returns how much of each light reaches each pixel, as
     /// a storage buffer of floats: those of the first light, row by row, then of the next.
     ///
-    /// `receivers` is an `Rgba32Uint` texture as large as the picture: of each pixel the position of what it sees, relative to the
+    /// The device [has room](Self::has_room) for it. `receivers` is an `Rgba32Uint` texture as large as the picture: of each pixel the position of what it sees, relative to the
     /// origin given to [`Shadows::set_origin`], as bits of three floats; and its unit geometric normal, turned to the eye, as
     /// `pack2x16snorm` of its place on an octahedron, which is never 0. The last is 0 where a pixel sees nothing.
     pub fn record(
@@ -106,11 +120,6 @@ impl Resolve {
         pass.dispatch_workgroups_indirect(&room.workgroups, 0);
         drop(pass);
         &self.room.insert(room).resolved
-    }
-
-    /// Bytes of what is written and listed.
-    pub fn bytes(&self) -> u64 {
-        self.room.as_ref().map_or(0, |room| room.resolved.size() + room.left.size())
     }
 }
 

@@ -23,8 +23,9 @@ pub enum Exact {
 pub(crate) const EXACT: Key = Key {
     name: "exact",
     label: "exact",
-    help: "Which receivers are traced through the casters' triangles. Shadows are hard and have no error of a map where a ray \
-           decides; rays cost time, and the triangles memory.",
+    help: "Which receivers are traced through the casters' triangles, where a host has handed them over. A ray has no error of a \
+           map; it costs time, and triangles memory. With pcss a ray goes to each point of the light; with other filters \
+           shadows are hard.",
     source: "Hertel, Hormann and Westermann 2009",
     costs: &[Cost::Shader],
     values: Values::Choice(&[
@@ -32,7 +33,7 @@ pub(crate) const EXACT: Key = Key {
         Choice {
             name: "undecided",
             label: "undecided",
-            help: "Those around which the texels of a map disagree: a few in a hundred, along the edges of shadows.",
+            help: "Those around which the texels of a map disagree: along the edges of shadows, and on what bends in a texel.",
             source: "Hertel, Hormann and Westermann 2009",
         },
         Choice {

@@ -101,7 +101,7 @@ impl Pipeline {
         let around = scene.surroundings.around;
         let contact = shadows.settings().contact.as_ref();
         let covering = Covering::of(look, cover, samples);
-        let place = Place::of(samples, shadows.settings().exact);
+        let place = Place::of(samples, shadows.key().traces());
         let receiver = shadows.wgsl(1);
         let text = shaders::receivers(
             look,

@@ -42,6 +42,8 @@ impl Renderer {
     pub fn query(&mut self, drawn: &Drawn, light: usize, points: &[Point]) -> Result<Vec<f32>, RenderError> {
         let planned = self.with_maps_of(drawn)?;
         planned.has_shadows_of(light)?;
+        // A renderer beside this one may have moved what rays go through.
+        self.scene.move_to(&self.gpu, &self.timer, planned.origin, &planned.pose)?;
         let [width, height] = planned.size.map(|side| side as f32);
         let origin = planned.origin;
         let clip_from_world = planned.camera.relative_to(origin).clip_from_world();

@@ -1,13 +1,16 @@
 // Whether the texels around a receiver agree.
 //
 // Sixteen texels are asked: those that a bilinear lookup weighs, and their neighbours, since an edge may lie anywhere within a
-// texel. One that stores no more than the receiver's own plane is for light, and one that stores more than that plane with all
-// of its bias is for shadow. What lies between may be the receiver itself or something that touches it: it decides nothing.
+// texel. One is for light that stores no more than the receiver's plane and a share of its bias, and for shadow that stores more
+// than the plane and all of it. What lies between may be the receiver itself or something that touches it: it decides nothing.
 
 import package::exact::not_known::UMBRAGE_UNDECIDED;
 import package::receiver::lookup::{UMBRAGE_OWN_TEXEL, UmbrageLookup};
 import package::storage::gathered::umbrage_stored_around;
 import package::storage::map::umbrage_tile_size;
+
+/// The share of the bias up to which a texel is for light: less asks for rays on every bent surface, more takes contacts for light.
+const UMBRAGE_LIT_BIAS: f32 = 0.5;
 
 /// Which of four texels are for light, or for shadow.
 struct UmbrageVotes {
@@ -23,12 +26,12 @@ fn umbrage_votes(lookup: UmbrageLookup, corner: vec2f) -> UmbrageVotes {
     let stored = umbrage_stored_around(lookup.view_index, inside);
     let biased = lookup.compare_depth + lookup.gradient.x * right + lookup.gradient.y * down;
     let bent = lookup.bend * max(max(abs(right), abs(down)) - UMBRAGE_OWN_TEXEL, vec4f(0.0));
-    let lit = stored <= biased + bent - (1.0 - 0.5) * (lookup.bias + bent);
+    let lit = stored <= biased + bent - (1.0 - UMBRAGE_LIT_BIAS) * (lookup.bias + bent);
     let dark = stored > biased + bent;
     return UmbrageVotes(all(lit), all(dark));
 }
 
-/// 1 where the map is sure that a receiver is lit, 0 where it is sure that it is not, and otherwise UMBRAGE_UNDECIDED.
+/// 1 where the map is sure that a receiver is lit, and for one that it does not hold; 0 where it is sure that it is not, and otherwise UMBRAGE_UNDECIDED.
 fn umbrage_decided(lookup: UmbrageLookup) -> f32 {
     let low = floor(lookup.texel - 0.5);
     let a = umbrage_votes(lookup, low);
@@ -39,5 +42,5 @@ fn umbrage_decided(lookup: UmbrageLookup) -> f32 {
     let dark = a.dark && b.dark && c.dark && d.dark;
     let outside = lookup.compare_depth < 0.0 || any(lookup.texel < vec2f(0.0))
         || any(lookup.texel > vec2f(umbrage_tile_size(lookup.view_index)));
-    return select(select(UMBRAGE_UNDECIDED, 0.0, dark), 1.0, lit && !outside);
+    return select(select(UMBRAGE_UNDECIDED, 0.0, dark), 1.0, lit || outside);
 }

@@ -14,6 +14,9 @@ import package::sampling::penumbra::umbrage_penumbra_texels;
 /// UMBRAGE_UNDECIDED.
 fn umbrage_sure(lookup: UmbrageLookup, receiver: UmbrageReceiver) -> f32 {
     let sure = umbrage_decided(lookup);
+    if sure == UMBRAGE_UNDECIDED {
+        return sure;
+    }
     let depth = umbrage_linear_depth(lookup.view_index, lookup.texel, lookup.compare_depth);
     let radius = umbrage_penumbra_texels(lookup, depth, 0.0);
     let blockers = umbrage_blockers(lookup, radius, umbrage_noise(receiver)).y;

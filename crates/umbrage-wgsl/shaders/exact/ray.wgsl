@@ -13,10 +13,10 @@ struct UmbrageRay {
 /// The share of all coordinates by which rounding may have moved a point.
 const UMBRAGE_ROUNDING: f32 = 4e-6;
 
-/// A ray from a point, which in world space is so far from the frame's origin, metres.
-fn umbrage_ray(origin: vec3f, direction: vec3f, far: f32) -> UmbrageRay {
+/// A ray from a point that rounding may have moved as far as `reach` lets it.
+fn umbrage_ray(origin: vec3f, direction: vec3f, reach: f32) -> UmbrageRay {
     let safe = select(direction, vec3f(1e-30), abs(direction) < vec3f(1e-30));
-    return UmbrageRay(origin, direction, 1.0 / safe, UMBRAGE_ROUNDING * far * length(direction));
+    return UmbrageRay(origin, direction, 1.0 / safe, UMBRAGE_ROUNDING * reach);
 }
 
 /// Whether a ray meets a box between its origin and `end`, metres along it. Boxes that it only just misses may count.

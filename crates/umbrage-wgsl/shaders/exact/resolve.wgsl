@@ -48,7 +48,8 @@ fn decide(@builtin(global_invocation_id) id: vec3u) {
     let seen = textureLoad(umbrage_receivers, id.xy, 0);
     let receiver = umbrage_seen_receiver(id.xy, seen);
     let pixel = id.y * size.x + id.x;
-    for (var light = 0u; light < umbrage_frame.light_count; light++) {
+    let room = arrayLength(&umbrage_resolved) / (size.x * size.y);
+    for (var light = 0u; light < min(umbrage_frame.light_count, room); light++) {
         let place = light * size.x * size.y + pixel;
         let cosine = dot(receiver.normal, umbrage_direction_to_light(light, receiver.position));
         var known = 1.0;

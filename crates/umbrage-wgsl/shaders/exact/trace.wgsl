@@ -48,7 +48,12 @@ fn umbrage_trace(world_position: vec3f, to_light: vec3f, lamp: f32, end: f32) ->
         }
         let rows = transpose(mat3x3f(placed.row_x.xyz, placed.row_y.xyz, placed.row_z.xyz));
         let begin = vec3f(placed.row_x.w, placed.row_y.w, placed.row_z.w);
-        let ray = umbrage_ray(rows * world_position + begin, rows * to_light, far);
+        // What is moved in the world is moved so much farther here, at most.
+        let squares = vec3f(
+            dot(placed.row_x.xyz, placed.row_x.xyz), dot(placed.row_y.xyz, placed.row_y.xyz),
+            dot(placed.row_z.xyz, placed.row_z.xyz));
+        let reach = far * sqrt(max(max(squares.x, squares.y), squares.z));
+        let ray = umbrage_ray(rows * world_position + begin, rows * to_light, reach);
         var node = placed.first;
         while node < placed.end {
             // The next leaf.

@@ -1,5 +1,5 @@
 // Receivers are traced of which the map is not sure (Hertel, Hormann and Westermann 2009): those around which its texels
-// disagree, and those that no map serves.
+// disagree. What lies outside every map is lit, as without rays.
 
 import chosen::umbrage_sure;
 import package::exact::not_known::UMBRAGE_UNDECIDED;
@@ -15,7 +15,7 @@ fn umbrage_known(light: u32, receiver: UmbrageReceiver) -> f32 {
         return 1.0;
     }
     let lookup = umbrage_lookup_of(light, receiver.position, receiver.normal);
-    var sure = UMBRAGE_UNDECIDED;
+    var sure = 1.0;
     if lookup.view_index != UMBRAGE_NO_VIEW {
         sure = umbrage_sure(lookup, receiver);
     }
