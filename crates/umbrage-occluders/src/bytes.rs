@@ -57,7 +57,8 @@ impl Geometry {
         .concat()
     }
 
-    /// Reads what [`Self::to_bytes`] made; `None` for any other bytes.
+    /// Reads what [`Self::to_bytes`] made; `None` for bytes whose lists are shorter or longer than they say. What stands in the lists is
+    /// believed.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let (header, mut rest) = bytes.split_first_chunk::<{ size_of::<Header>() }>()?;
         let header = bytemuck::pod_read_unaligned::<Header>(header);

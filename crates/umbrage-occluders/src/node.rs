@@ -12,7 +12,7 @@ use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 
-/// A node is a box, and what lies in it. Mirrors `UmbrageNode` of `exact/occluders.wgsl`.
+/// A node is a box, and what lies in it. Mirrors `UmbrageNode` of `exact/node.wgsl`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Node {

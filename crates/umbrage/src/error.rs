@@ -143,9 +143,14 @@ pub enum ShadowError {
         /// How many positions there are.
         vertices: u64,
     },
-    /// There are more casters than there is room for, or some left to maps where none were to be.
+    /// A caster is left to maps where none was to be.
     #[error(
-        "there is room for {max} instances of casters for rays, and {got} stand there, or one is left to maps where none was to be; make them anew with Occluders::new and more room"
+        "an instance of casters for rays is left to maps, and there is no room for such; make them anew with Occluders::new and `left_to_maps: true` in OccluderRoom"
+    )]
+    OccluderLeftToMaps,
+    /// There are more casters than there is room for.
+    #[error(
+        "there is room for {max} instances of casters for rays, and {got} stand there; make them anew with Occluders::new and more `instances` in OccluderRoom"
     )]
     OccluderRoom {
         /// How many instances stand there.

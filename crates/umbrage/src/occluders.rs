@@ -119,8 +119,11 @@ impl Occluders {
     /// # Errors
     /// When there are more than there is room for, or one is left to maps where none was to be.
     pub fn place(&self, queue: &wgpu::Queue, top: &TopLevel) -> Result<(), ShadowError> {
-        if top.instances() > self.room || top.leaves_to_maps && !self.traits.left_to_maps {
+        if top.instances() > self.room {
             return Err(ShadowError::OccluderRoom { got: top.instances(), max: self.room });
+        }
+        if top.leaves_to_maps && !self.traits.left_to_maps {
+            return Err(ShadowError::OccluderLeftToMaps);
         }
         queue.write_buffer(&self.buffers[0], 0, bytemuck::cast_slice(&top.nodes));
         let behind = top_nodes(self.room);

@@ -19,7 +19,7 @@ pub fn distance(text: &str) -> Result<f32, String> {
     metres.ok_or_else(|| "wanted metres, 0 or more".to_owned())
 }
 
-/// How long a day is, seconds.
+/// Reads the length of a day, from 1 to 1e9 seconds.
 pub fn day(text: &str) -> Result<f32, String> {
     let seconds = text.parse().ok().filter(|seconds| (1.0..=1e9).contains(seconds));
     seconds.ok_or_else(|| "wanted seconds, from 1 to 1e9".to_owned())

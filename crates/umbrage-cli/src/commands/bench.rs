@@ -39,7 +39,7 @@ struct Report<'a> {
     bytes: u64,
     /// Bytes of the casters that rays go through; 0 where maps alone answer.
     occluder_bytes: u64,
-    /// How long their hierarchies took to build, seconds.
+    /// The time that their hierarchies took to build, seconds; left out where none were built.
     #[serde(skip_serializing_if = "Option::is_none")]
     occluder_seconds: Option<f64>,
     frames: usize,

@@ -31,7 +31,8 @@ fn umbrage_votes(lookup: UmbrageLookup, corner: vec2f) -> UmbrageVotes {
     return UmbrageVotes(all(lit), all(dark));
 }
 
-/// 1 where the map is sure that a receiver is lit, and for one that it does not hold; 0 where it is sure that it is not, and otherwise UMBRAGE_UNDECIDED.
+/// 1 where the map is sure that a receiver is lit, and for one that it does not hold; 0 where it is sure that it is not lit; and
+/// otherwise UMBRAGE_UNDECIDED.
 fn umbrage_decided(lookup: UmbrageLookup) -> f32 {
     let low = floor(lookup.texel - 0.5);
     let a = umbrage_votes(lookup, low);

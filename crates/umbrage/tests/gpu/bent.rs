@@ -246,5 +246,5 @@ fn what_cannot_be_refitted_is_refused_by_name() {
     let room = OccluderRoom { instances: 1, left_to_maps: false };
     let occluders = Occluders::new(device, queue, &geometry, room).expect("room");
     let placed = occluders.place(queue, &top(&geometry, [bent]));
-    assert_eq!(placed, Err(ShadowError::OccluderRoom { got: 1, max: 1 }));
+    assert_eq!(placed, Err(ShadowError::OccluderLeftToMaps));
 }

@@ -77,7 +77,8 @@ fn more_instances_than_there_is_room_for_and_bent_ones_are_refused() {
     assert!(matches!(refused, ShadowError::OccluderRoom { got: 4, max: 3 }), "{refused}");
     let refused =
         placed(1, Shape::LeftToMaps([Vec3::ZERO, Vec3::ONE])).expect_err("none was to be left to maps");
-    assert!(matches!(refused, ShadowError::OccluderRoom { .. }), "{refused}");
+    assert!(matches!(refused, ShadowError::OccluderLeftToMaps), "{refused}");
+    assert!(refused.to_string().contains("`left_to_maps: true`"), "{refused}");
 }
 
 #[test]
