@@ -46,6 +46,8 @@ struct Taken {
     visibility: Vec<Vec<f32>>,
     shaded: Picture,
     plan: ShadowPlan,
+    /// How many receivers were traced.
+    rays: Option<u32>,
 }
 
 /// A laboratory draws a scene, and judges what it drew.
@@ -116,7 +118,7 @@ impl<'a> Laboratory<'a> {
         frames: u32,
     ) -> Result<Judged, LabError> {
         self.use_settings(settings)?;
-        let Taken { visibility, shaded, plan } = self.take(shot, &mut technique)?;
+        let Taken { visibility, shaded, plan, rays } = self.take(shot, &mut technique)?;
         let timed = self.timed(shot, &mut technique, frames)?;
         let start = web_time::Instant::now();
         let world = self.world_in(&shot.pose);
@@ -130,7 +132,9 @@ impl<'a> Laboratory<'a> {
         let true_picture = self.true_picture(&shot.frame(Show::World)?, &traced, &visibility, &shaded)?;
         let figures = self.measured(shot, settings, technique.as_deref(), &by_light, &timed);
         let flip = flip(&true_picture, &shaded).filter(|_| figures.error.is_some());
-        let measurement = Measurement { flip, ..figures };
+        let rays_a_pixel =
+            rays.map(|rays| f64::from(rays) / (f64::from(shot.width) * f64::from(shot.height)));
+        let measurement = Measurement { flip, rays_a_pixel, ..figures };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };
         Ok(Judged { measurement, visibility, shaded, true_picture, heat_map, plan, tracing })
     }
@@ -145,11 +149,12 @@ impl<'a> Laboratory<'a> {
             Some(technique) => technique.visibility(&mut self.renderer, shot)?,
         };
         let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
+        let rays = self.renderer.traced()?;
         let shaded = match technique {
             None => drawn.picture()?,
             Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
         };
-        Ok(Taken { visibility, shaded, plan: drawn.plan().clone() })
+        Ok(Taken { visibility, shaded, plan: drawn.plan().clone(), rays })
     }
 
     /// The figures of a picture that was judged light by light, but for those that look at the picture itself.
@@ -187,6 +192,7 @@ impl<'a> Laboratory<'a> {
             aliasing: by_light.first().and_then(|of| of.aliasing.summary),
             lights: shot.lights.iter().zip(by_light).map(|(light, of)| of.measured(&light.name)).collect(),
             flip: None,
+            rays_a_pixel: None,
             splits: DepthBand::pooled(by_light.iter().map(|judgement| judgement.splits.as_slice())),
             around_cuts: by_light.first().map(|judgement| judgement.around_cuts.clone()).unwrap_or_default(),
             milliseconds: timed.stages(),

@@ -38,6 +38,10 @@ pub struct Measurement {
     /// The seconds that it took to build their hierarchies, once for the scene; absent where the settings ask for no rays.
     #[serde(default)]
     pub occluder_seconds: Option<f64>,
+    /// The number of receivers whose visibility rays found, of all lights, divided by the number of the picture's pixels; absent where
+    /// the settings ask for no rays, and where rays were traced while the picture was shaded.
+    #[serde(default)]
+    pub rays_a_pixel: Option<f64>,
     /// What it took to make another family of shadows than maps ready; absent for maps.
     #[serde(default)]
     pub made_ready: Option<MadeReady>,

@@ -22,18 +22,36 @@ impl Gpu {
         first: u64,
         count: usize,
     ) -> Result<Vec<f32>, RenderError> {
+        let words = self.read_words_from(buffer, first, count)?;
+        Ok(words.into_iter().map(f32::from_bits).collect())
+    }
+
+    /// Copies the first `count` words of a buffer to the CPU, and waits for them.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub(crate) fn read_words(&self, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<u32>, RenderError> {
+        self.read_words_from(buffer, 0, count)
+    }
+
+    fn read_words_from(
+        &self,
+        buffer: &wgpu::Buffer,
+        first: u64,
+        count: usize,
+    ) -> Result<Vec<u32>, RenderError> {
         let size = 4 * count as u64;
         let copy = self.buffer(&wgpu::BufferDescriptor {
-            label: Some("Gpu::read_floats"),
+            label: Some("Gpu::read_words"),
             size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut encoder = self.encoder("Gpu::read_floats");
+        let mut encoder = self.encoder("Gpu::read_words");
         encoder.copy_buffer_to_buffer(buffer, 4 * first, &copy, 0, size);
         self.queue.submit([encoder.finish()]);
         self.read_mapped(copy, |bytes| {
-            bytes.as_chunks().0.iter().map(|four| f32::from_ne_bytes(*four)).collect()
+            bytes.as_chunks().0.iter().map(|four| u32::from_ne_bytes(*four)).collect()
         })
     }
 

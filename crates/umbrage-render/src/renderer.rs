@@ -254,6 +254,16 @@ impl Renderer {
         self.timer.switch(on);
     }
 
+    /// Returns how many receivers of the last picture its maps were not sure of and rays were traced for, one for each light; waits
+    /// for the picture. `None` where there were no rays, or they were traced while it was shaded: with several samples a pixel,
+    /// contact shadows or veils.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn traced(&self) -> Result<Option<u32>, RenderError> {
+        self.shading.traced(&self.gpu)
+    }
+
     /// Maps, pipelines and textures that fit the frame.
     fn make_ready(&mut self, frame: &Frame) -> Result<Arc<Target>, RenderError> {
         self.take_ray_casters()?;

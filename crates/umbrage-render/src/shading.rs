@@ -61,6 +61,8 @@ pub(crate) struct Shading {
     given: Option<Given>,
     /// It depends on the settings of shadows too.
     resolving: Option<Resolving>,
+    /// Whether the last picture's visibility was found before it was shaded.
+    resolved: bool,
     metered: Metered,
 }
 
@@ -104,6 +106,7 @@ impl Shading {
             seen: None,
             given: None,
             resolving: None,
+            resolved: false,
             metered: Metered::default(),
         })
     }
@@ -112,6 +115,14 @@ impl Shading {
     pub fn forget_receivers(&mut self) {
         self.receivers.clear();
         self.resolving = None;
+        self.resolved = false;
+    }
+
+    /// How many receivers were traced for the last picture, one for each of its lights; `None` where they were traced while it was
+    /// shaded, or none were.
+    pub fn traced(&self, gpu: &Gpu) -> Result<Option<u32>, RenderError> {
+        let resolving = self.resolving.as_ref().filter(|_| self.resolved);
+        resolving.map_or(Ok(None), |resolving| resolving.traced(gpu))
     }
 
     /// Makes what a picture needs and there is not yet.
@@ -197,6 +208,7 @@ impl Shading {
     ) -> Result<(), RenderError> {
         let look = Look::of(show);
         let resolved = self.resolves(inputs, look, planned, target);
+        self.resolved = resolved;
         let has_contact = inputs.shadows.settings().contact.is_some();
         let visibility = look.map(|look| look.visibility(has_contact, resolved));
         let has_depth = is_seen && look.is_some() && sees_in(target, planned) && !resolved;

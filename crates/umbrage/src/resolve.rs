@@ -121,6 +121,12 @@ impl Resolve {
         drop(pass);
         &self.room.insert(room).resolved
     }
+
+    /// Returns the buffer whose first four bytes say, once they are done, how many rays the steps recorded last have traced receivers
+    /// for: one for each pixel and light of which the maps were not sure. `None` before any were recorded.
+    pub fn traced(&self) -> Option<&wgpu::Buffer> {
+        self.room.as_ref().map(|room| &room.left)
+    }
 }
 
 impl Room {
@@ -134,7 +140,11 @@ impl Room {
             })
         };
         let resolved = buffer("Resolve::resolved", 4 * places, wgpu::BufferUsages::COPY_SRC);
-        let left = buffer("Resolve::left", 4 + 4 * places, wgpu::BufferUsages::COPY_DST);
+        let left = buffer(
+            "Resolve::left",
+            4 + 4 * places,
+            wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+        );
         let workgroups = buffer("Resolve::workgroups", 12, wgpu::BufferUsages::INDIRECT);
         let bound = [&left, &workgroups].map(wgpu::Buffer::as_entire_binding);
         let left_group = bindings::group(objects, "Resolve::left_group", layout, bound);

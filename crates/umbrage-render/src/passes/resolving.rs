@@ -4,6 +4,7 @@
 use umbrage::{Resolve, Shadows};
 
 use crate::buffers::{READ, binding};
+use crate::error::RenderError;
 use crate::gpu::Gpu;
 use crate::passes::prepass::PLACE_FORMAT;
 
@@ -47,6 +48,12 @@ impl Resolving {
             let group = gpu.bind_group("Resolving::group", &self.layout, [resolved.as_entire_binding()]);
             self.group = Some((resolved.clone(), group));
         }
+    }
+
+    /// How many receivers were traced for the last picture, one for each of its lights; waits for it.
+    pub fn traced(&self, gpu: &Gpu) -> Result<Option<u32>, RenderError> {
+        let words = self.resolve.traced().map(|buffer| gpu.read_words(buffer, 1)).transpose()?;
+        Ok(words.and_then(|words| words.first().copied()))
     }
 
     /// The answers, as group 3.
