@@ -21,7 +21,7 @@ pub enum Light {
         cos_outer: f64,
         /// The distance at which light ends, in metres; may be infinite.
         range: f64,
-        /// The distance nearer than which nothing casts a shadow, in metres; 0 where anything does.
+        /// The depth along the cone's axis before which nothing casts a shadow, in metres; 0 where anything does.
         near: f64,
     },
     /// A point light, which shines in all directions.
@@ -30,7 +30,8 @@ pub enum Light {
         position: DVec3,
         /// The distance at which light ends, in metres; may be infinite.
         range: f64,
-        /// The distance nearer than which nothing casts a shadow, in metres; 0 where anything does.
+        /// Half the side of the cube around the light, along the world's axes, in which nothing casts a shadow, in metres; 0 where
+        /// anything does.
         near: f64,
     },
 }
@@ -95,6 +96,16 @@ impl Light {
         }
     }
 
+    /// Returns how far before the light casters end on a ray that leads to it along a unit direction, in metres.
+    pub(crate) fn housing(&self, to_light: DVec3) -> f64 {
+        let (near, along_axis) = match *self {
+            Self::Sun { .. } => return 0.0,
+            Self::Spot { along, near, .. } => (near, -to_light.dot(along)),
+            Self::Point { near, .. } => (near, to_light.abs().max_element()),
+        };
+        if along_axis > 0.0 { near / along_axis } else { 0.0 }
+    }
+
     /// The light as a disc that faces a point which it shines at: what shines from a place x, y of the unit disc.
     ///
     /// `radius` is that of the disc: for a sun half the angle that it is seen under, radians (0.00463 for ours); for the
@@ -110,7 +121,14 @@ impl Light {
             let aside = (right * x + up * y) * size;
             match light {
                 Self::Sun { to_light } => Self::Sun { to_light: (to_light + aside).normalize_or(to_light) },
-                Self::Spot { position, near, .. } | Self::Point { position, near, .. } => {
+                Self::Spot { position, along, near, .. } => Self::Spot {
+                    position: position + aside,
+                    along,
+                    cos_outer: -2.0,
+                    range: f64::INFINITY,
+                    near,
+                },
+                Self::Point { position, near, .. } => {
                     Self::Point { position: position + aside, range: f64::INFINITY, near }
                 }
             }
@@ -175,6 +193,20 @@ mod tests {
         }
         assert_eq!(spot(30.0, 2.0).toward(DVec3::NEG_Y * 2.0), None, "at its range");
         assert_eq!(spot(30.0, 0.0).toward(DVec3::NEG_Y), None, "without range");
+    }
+
+    #[test]
+    fn a_lamps_housing_is_a_cube_around_a_point_light_and_ends_at_a_plane_before_a_spot() {
+        let point = Light::Point { position: DVec3::ZERO, range: 9.0, near: 0.25 };
+        let diagonal = DVec3::new(1.0, 1.0, 1.0).normalize();
+        for (to_light, wanted) in [(DVec3::Y, 0.25), (-DVec3::X, 0.25), (diagonal, 0.25 * 3f64.sqrt())] {
+            assert!((point.housing(to_light) - wanted).abs() < 1e-12, "{to_light}");
+        }
+        let Light::Spot { position, along, cos_outer, range, .. } = spot(80.0, 9.0) else { panic!("a spot") };
+        let spot = Light::Spot { position, along, cos_outer, range, near: 0.25 };
+        let aslant = DVec3::new(0.6, 0.8, 0.0); // to a spot that shines down
+        assert!((spot.housing(aslant) - 0.25 / 0.8).abs() < 1e-12, "{}", spot.housing(aslant));
+        assert_eq!(Light::sun(Vec3::NEG_Y).housing(DVec3::Y), 0.0);
     }
 
     #[test]

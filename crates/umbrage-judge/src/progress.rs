@@ -57,8 +57,7 @@ impl Progress {
     fn trace(&mut self, tile: &Tile) {
         let Self { world, eye, distance, .. } = self;
         let places: Vec<usize> = tile.samples().map(|(x, y)| index(eye, x, y)).collect();
-        let sights: Vec<Sight> =
-            places.par_iter().map(|i| Sight::new(world, eye, &central_ray(eye, *i))).collect();
+        let sights: Vec<Sight> = places.par_iter().map(|i| Sight::of_pixel(world, eye, *i)).collect();
         for (light, pixels) in self.lights.iter().zip(&mut self.pixels) {
             let truth = |sight: &Sight| pixel(world, light, sight, *distance);
             let traced: Vec<Pixel> = sights.par_iter().map(truth).collect();

@@ -42,10 +42,11 @@ impl ShadowRay {
             Light::Sun { to_light } => {
                 Self { ray: Ray::new(origin, to_light), end: f64::INFINITY, lamp: None, epsilons }
             }
-            Light::Spot { position, near, .. } | Light::Point { position, near, .. } => {
+            Light::Spot { position, .. } | Light::Point { position, .. } => {
                 let (direction, distance) = (position - origin).normalize_and_length();
                 let lamp = Lamp { distance, slack: uncertainty(position) };
-                Self { ray: Ray::new(origin, direction), end: distance - near, lamp: Some(lamp), epsilons }
+                let end = distance - light.housing(direction);
+                Self { ray: Ray::new(origin, direction), end, lamp: Some(lamp), epsilons }
             }
         }
     }

@@ -5,7 +5,7 @@
 
 use crate::coverage::{SEEN, Seen};
 use crate::shadow_ray::loss_of_sight;
-use crate::truth::Receiver;
+use crate::truth::{Receiver, centre};
 use crate::{Eye, Hit, Ray, World};
 
 /// What a ray of the eye sees.
@@ -17,7 +17,25 @@ pub(crate) struct Sight {
     pub doubts: Vec<Option<Receiver>>,
 }
 
+/// How far a rasteriser may draw an edge off its place, pixels: it rounds each coordinate of a corner to 1/256.
+const SNAP: f64 = std::f64::consts::SQRT_2 / 512.0;
+
+/// Three places around the centre of a pixel, in units of [`SNAP`]: a straight edge within one such unit of the centre has one of
+/// them on its other side.
+const AROUND: [[f64; 2]; 3] = [[0.0, 2.0], [1.732_050_807_568_877_3, -1.0], [-1.732_050_807_568_877_3, -1.0]];
+
 impl Sight {
+    /// What the centre of a pixel sees, and what is drawn there instead if a rasteriser moves an edge that lies so near to it.
+    pub fn of_pixel(world: &World, eye: &Eye, pixel: usize) -> Self {
+        let [x, y] = centre(eye, pixel);
+        let mut sight = Self::new(world, eye, &eye.ray(x, y));
+        let seen = sight.receiver.map(|receiver| receiver.triangle);
+        let around = AROUND.map(|[right, down]| eye.ray(x + SNAP * right, y + SNAP * down));
+        let beside = around.map(|ray| receiver(world, eye, &ray));
+        sight.doubts.extend(beside.into_iter().filter(|other| other.map(|other| other.triangle) != seen));
+        sight
+    }
+
     /// What a ray of the eye sees.
     pub fn new(world: &World, eye: &Eye, ray: &Ray) -> Self {
         let mut sight = Self::default();

@@ -2,7 +2,9 @@
 //!
 //! A pixel is judged by the ray through its centre: the first surface it meets (`sight.rs`), and from there a ray to the
 //! light, lifted off the surface by ε. What that meets may let a share of the light through (`passage.rs`). A light that stands in the world may stand on a surface too: what is within ε of it is not before
-//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged; nor where drawing decides which surface it shows, and it matters. Nor are pixels whose surface is turned
+//! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged; nor where drawing decides which surface it shows,
+//! and it matters: a rasteriser puts corners on a grid of 1/256 of a pixel, and edges nearer to a pixel's centre than that may be
+//! drawn on either side of it. Nor are pixels whose surface is turned
 //! away from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
 //!
 //! ε, and the angle at which a surface begins to face a light, are what rounding of the world's f32 numbers may have done to
@@ -121,7 +123,7 @@ impl Truth {
             .into_par_iter()
             .with_min_len(width)
             .map(|i| {
-                let sight = Sight::new(world, eye, &central_ray(eye, i));
+                let sight = Sight::of_pixel(world, eye, i);
                 (sight.receiver, pixel(world, light, &sight, distance))
             })
             .unzip();
@@ -144,10 +146,16 @@ impl Truth {
     }
 }
 
+/// The centre of one of the eye's pixels, in pixels from the picture's upper left corner.
+pub(crate) fn centre(eye: &Eye, pixel: usize) -> [f64; 2] {
+    let width = eye.width.max(1) as usize;
+    [pixel % width, pixel / width].map(|place| place as f64 + 0.5)
+}
+
 /// The ray through the centre of one of the eye's pixels.
 pub(crate) fn central_ray(eye: &Eye, pixel: usize) -> Ray {
-    let width = eye.width.max(1) as usize;
-    eye.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5)
+    let [x, y] = centre(eye, pixel);
+    eye.ray(x, y)
 }
 
 /// Whether a receiver's surface faces a light; `None` where rounding decides.

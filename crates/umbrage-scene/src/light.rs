@@ -21,7 +21,8 @@ pub struct Light {
     /// The kind of the light.
     pub kind: LightKind,
     /// The distance from a spot or point light, in metres, nearer than which nothing casts a shadow: a lamp stands inside
-    /// its bulb. 0 where the file says nothing.
+    /// its bulb. It is half the side of a cube around a point light, along the world's axes, and a depth along a spot's axis.
+    /// 0 where the file says nothing.
     pub near: f32,
     /// The motion of the light from where it stands at time 0.
     pub motion: Motion,

@@ -48,8 +48,10 @@ struct UmbrageLight {
     view_count: u32,
     /// The tangent of half the angle that a sun is seen under, or the radius of a punctual light, metres.
     size: f32,
-    /// The distance from a punctual light within which nothing casts, metres.
+    /// Nothing casts nearer to a punctual light than this, metres along the axis of its views.
     near: f32,
+    /// The unit direction in which a spot shines; 0 for other lights.
+    axis: vec3f,
 }
 
 struct UmbrageFrame {

@@ -30,6 +30,16 @@ fn umbrage_distance_to_light(light: u32, world_position: vec3f, longest: f32) ->
 /// Farther than all that a light shines on, metres.
 const UMBRAGE_FARTHEST_LIGHT: f32 = 1e18;
 
+/// How far before a light casters end on a ray that leads to it along a unit direction, metres: where the maps of its views
+/// begin, which are the faces of a cube around a point light.
+fn umbrage_housing(light: u32, to_light: vec3f) -> f32 {
+    let size = abs(to_light);
+    let of_face = max(size.x, max(size.y, size.z));
+    let of_spot = max(-dot(umbrage_frame.lights[light].axis, to_light), 1e-6);
+    let along_axis = select(of_face, of_spot, umbrage_frame.lights[light].kind == UMBRAGE_LIGHT_SPOT);
+    return umbrage_frame.lights[light].near / along_axis;
+}
+
 /// The way from a world-space point to the point of a light that lies aside of its middle, in radii of the light: metres for a
 /// lamp, and of no certain length for a sun.
 fn umbrage_light_point(light: u32, world_position: vec3f, aside: vec3f) -> vec3f {

@@ -40,6 +40,7 @@ shared_with_shaders! {
         view_count: u32,
         size: f32,
         near: f32,
+        axis: Vec3,
     }
 }
 
@@ -184,11 +185,13 @@ fn sides([width, height]: [u32; 2]) -> Vec2 {
 
 fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, light: &Light) -> FrameLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
-    let place = match light.kind() {
-        LightKind::Spot { position, .. } | LightKind::Point { position, .. } => {
-            (position.as_dvec3() - origin).as_vec3()
+    let from_origin = |position: Vec3| (position.as_dvec3() - origin).as_vec3();
+    let (place, axis) = match light.kind() {
+        LightKind::Spot { position, direction, .. } => {
+            (from_origin(position), direction.normalize_or(Vec3::NEG_Y))
         }
-        LightKind::Directional { direction } => -direction,
+        LightKind::Point { position, .. } => (from_origin(position), Vec3::ZERO),
+        LightKind::Directional { direction } => (-direction, Vec3::ZERO),
     };
     FrameLight {
         place,
@@ -197,6 +200,7 @@ fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, li
         view_count: plan.views().iter().filter(|view| view.light == index).count() as u32,
         size: light.half_size(settings.filter.light_size().unwrap_or_default()),
         near: light.near(),
+        axis,
     }
 }
 
