@@ -15,6 +15,8 @@ pub(crate) struct Sight {
     pub receiver: Option<Receiver>,
     /// What it sees instead, if drawing makes what is before it cover a little more or less; mostly nothing.
     pub doubts: Vec<Option<Receiver>>,
+    /// Whether one surface ends before another so near to a pixel's centre that drawing decides where what it shows lies.
+    pub is_torn: bool,
 }
 
 /// How far a rasteriser may draw an edge off its place, pixels: it rounds each coordinate of a corner to 1/256.
@@ -29,10 +31,14 @@ impl Sight {
     pub fn of_pixel(world: &World, eye: &Eye, pixel: usize) -> Self {
         let [x, y] = centre(eye, pixel);
         let mut sight = Self::new(world, eye, &eye.ray(x, y));
-        let seen = sight.receiver.map(|receiver| receiver.triangle);
-        let around = AROUND.map(|[right, down]| eye.ray(x + SNAP * right, y + SNAP * down));
-        let beside = around.map(|ray| receiver(world, eye, &ray));
-        sight.doubts.extend(beside.into_iter().filter(|other| other.map(|other| other.triangle) != seen));
+        for [right, down] in AROUND {
+            let ray = eye.ray(x + SNAP * right, y + SNAP * down);
+            let beside = receiver(world, eye, &ray);
+            if beside.map(|beside| beside.triangle) != sight.receiver.map(|seen| seen.triangle) {
+                sight.is_torn |= is_torn(eye, &ray, sight.receiver.as_ref(), beside.as_ref());
+                sight.doubts.push(beside);
+            }
+        }
         sight
     }
 
@@ -60,6 +66,14 @@ impl Sight {
         }
         sight
     }
+}
+
+/// Whether what a ray sees lies well before or behind what is seen beside it, or one of them is sky.
+fn is_torn(eye: &Eye, ray: &Ray, seen: Option<&Receiver>, beside: Option<&Receiver>) -> bool {
+    let (Some(seen), Some(beside)) = (seen, beside) else { return seen.is_some() != beside.is_some() };
+    let plane = (seen.position - ray.origin).dot(seen.normal) / ray.direction.dot(seen.normal);
+    // An edge at which both meet is no gap. Neither is a plane that the ray runs along, which is NaN.
+    (beside.depth - plane).abs() > 0.25 * eye.pixel_metres(seen.depth)
 }
 
 /// The first surface along a ray of the eye.

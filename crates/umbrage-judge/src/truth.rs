@@ -175,7 +175,8 @@ pub(crate) fn can_be_lit(light: &Light, receiver: &Receiver) -> bool {
 pub(crate) fn pixel(world: &World, light: &Light, sight: &Sight, distance: f64) -> Pixel {
     let of = |receiver: &Option<Receiver>| of_receiver(world, light, receiver.as_ref(), distance);
     let pixel = of(&sight.receiver);
-    if sight.doubts.iter().all(|other| pixel.is_as(of(other))) { pixel } else { Pixel::Ambiguous }
+    let is_sure = sight.doubts.iter().all(|other| pixel.is_as(of(other)));
+    if is_sure && !(sight.is_torn && pixel.is_judged()) { pixel } else { Pixel::Ambiguous }
 }
 
 /// What is true of a pixel with this first surface, or none.

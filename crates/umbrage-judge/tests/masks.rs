@@ -50,7 +50,9 @@ fn a_card_whose_half_is_holes_casts_half_a_shadow() {
     assert!((half - 4050.0).abs() < 100.0, "{half}");
     let truth = truth_of(&scene(vec![card(mask(0.5), 5.0, 3.0)], vec![chequers()]));
     let shadowed = truth.count(Pixel::Shadowed) as f64;
-    assert!((shadowed - 4050.0).abs() < 100.0 && truth.count(Pixel::Ambiguous) == 0, "{shadowed}");
+    // Where an edge of the card's squares meets centres of pixels, drawing decides: in three columns and two rows of them.
+    let ambiguous = truth.count(Pixel::Ambiguous);
+    assert!((shadowed - 4050.0).abs() < 100.0 && ambiguous < 5 * 90, "{shadowed}, {ambiguous}");
 }
 
 #[test]
