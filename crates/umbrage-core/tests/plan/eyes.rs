@@ -2,13 +2,14 @@
 
 use glam::{Mat4, Vec3};
 use proptest::prelude::*;
-use umbrage_core::{Bounds, Camera, Fit, Light, Select, Settings, Warp, plan, view_of};
+use umbrage_core::{Bounds, Camera, Fit, Light, Projection, Select, Settings, Warp, plan, view_of};
 
 use crate::any::{direction, fit_and_warp, point_in, seen, share, world};
 
 /// The rigid transform of a camera that looks from a place at another.
 fn looking(eye: Vec3, target: Vec3) -> Mat4 {
-    Mat4::look_at_rh(eye, target, Vec3::Y).inverse()
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    Camera::looking(eye, target, Vec3::Y, projection, 0.1, 1.0).unwrap().world_from_view()
 }
 
 fn place() -> impl Strategy<Value = Vec3> {
