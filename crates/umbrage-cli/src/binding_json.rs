@@ -58,7 +58,7 @@ fn kind_of(kind: BindingKind) -> Kind {
                 SampleType::Uint => "uint",
             },
             view_dimension: match dimension {
-                Dimension::D2 => "2d",
+                Dimension::D2 | Dimension::D2Multisampled => "2d",
                 Dimension::D2Array => "2d-array",
             },
         },

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::{DVec3, Mat4, Vec3};
+use glam::{DVec3, Mat4, Vec3, Vec4};
 
 use crate::error::CameraError;
 
@@ -30,6 +30,8 @@ pub enum Projection {
 pub struct Camera {
     world_from_view: Mat4,
     projection: Projection,
+    /// Where its direction of view lies in the picture, NDC.
+    centre: [f32; 2],
     near: f32,
     far: f32,
 }
@@ -38,7 +40,9 @@ pub struct Camera {
 const RIGID_TOLERANCE: f32 = 1e-3;
 
 impl Camera {
-    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres.
+    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres. The range of a
+    /// perspective camera may end nowhere: with [`f32::INFINITY`] as `far`, shadows end at the shadow distance of the settings, or
+    /// else where the world's bounds do.
     ///
     /// # Errors
     /// When the transform is not rigid, the range is not 0 < near < far, or the projection is degenerate.
@@ -50,13 +54,14 @@ impl Camera {
     ) -> Result<Self, CameraError> {
         let [x, y, z, eye] =
             [world_from_view.x_axis, world_from_view.y_axis, world_from_view.z_axis, world_from_view.w_axis];
-        let is_unit = |v: glam::Vec4| (v.truncate().length() - 1.0).abs() < RIGID_TOLERANCE && v.w == 0.0;
-        let is_right = |a: glam::Vec4, b: glam::Vec4| a.truncate().dot(b.truncate()).abs() < RIGID_TOLERANCE;
+        let is_unit = |v: Vec4| (v.truncate().length() - 1.0).abs() < RIGID_TOLERANCE && v.w == 0.0;
+        let is_right = |a: Vec4, b: Vec4| a.truncate().dot(b.truncate()).abs() < RIGID_TOLERANCE;
         let rigid = [x, y, z].into_iter().all(is_unit) && is_right(x, y) && is_right(y, z) && is_right(z, x);
         if !rigid || !eye.is_finite() || eye.w != 1.0 {
             return Err(CameraError::NotRigid);
         }
-        if !(near > 0.0 && near < far && far.is_finite()) {
+        let may_be_endless = matches!(projection, Projection::Perspective { .. });
+        if !(near > 0.0 && near < far && near.is_finite() && (far.is_finite() || may_be_endless)) {
             return Err(CameraError::DepthRange { near, far });
         }
         let aspect = match projection {
@@ -76,7 +81,39 @@ impl Camera {
         if !(aspect > 0.0 && aspect.is_finite()) {
             return Err(CameraError::Aspect(aspect));
         }
-        Ok(Self { world_from_view, projection, near, far })
+        Ok(Self { world_from_view, projection, centre: [0.0; 2], near, far })
+    }
+
+    /// Returns the same camera with its direction of view at another place of the picture than the middle, NDC: by up to a pixel where
+    /// frames are jittered for temporal anti-aliasing, by more where the picture is a part of a larger one.
+    ///
+    /// Texels that hold still ([`Fit::Stable`](crate::Fit::Stable)) may move with a jitter. Plan for the camera without it, and no more
+    /// is lost than a part of a pixel along the border.
+    ///
+    /// # Errors
+    /// When the place is not within the picture.
+    pub fn with_centre(self, centre: [f32; 2]) -> Result<Self, CameraError> {
+        if !centre.iter().all(|place| place.abs() < 1.0) {
+            return Err(CameraError::Centre(centre));
+        }
+        Ok(Self { centre, ..self })
+    }
+
+    /// Makes a perspective camera of the tangents of the angles to the left, right, lower and upper sides of its picture, as displays
+    /// that are worn on the head give them. Those to the left and down are negative.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and when the direction of view is not within the picture.
+    pub fn with_sides(
+        world_from_view: Mat4,
+        [left, right, down, up]: [f32; 4],
+        near: f32,
+        far: f32,
+    ) -> Result<Self, CameraError> {
+        let centre = [-(left + right) / (right - left), -(down + up) / (up - down)];
+        let fov_y = 2.0 * (0.5 * (up - down)).atan();
+        let projection = Projection::Perspective { fov_y, aspect: (right - left) / (up - down) };
+        Self::new(world_from_view, projection, near, far)?.with_centre(centre)
     }
 
     /// Makes a camera at `eye` that looks at `target`, with `up` as near to its up as can be.
@@ -132,12 +169,17 @@ impl Camera {
         self.projection
     }
 
+    /// Where the direction of view lies in the picture, NDC: the middle, but for [`Self::with_centre`].
+    pub fn centre(&self) -> [f32; 2] {
+        self.centre
+    }
+
     /// The nearest visible view depth, metres.
     pub fn near(&self) -> f32 {
         self.near
     }
 
-    /// The farthest visible view depth, metres.
+    /// The farthest visible view depth, metres; infinite where there is none.
     pub fn far(&self) -> f32 {
         self.far
     }
@@ -154,47 +196,24 @@ impl Camera {
 
     /// The matrix from view to clip space, with reversed depth: 1 on the near plane, 0 on the far one.
     pub fn clip_from_view(&self) -> Mat4 {
-        let (n, f) = (self.near, self.far);
+        let ([x, y], (n, f)) = (self.centre, (self.near, self.far));
         match self.projection {
             Projection::Perspective { fov_y, aspect } => {
-                let y = 1.0 / (0.5 * fov_y).tan();
-                Mat4::from_cols_array(&[
-                    y / aspect,
-                    0.0,
-                    0.0,
-                    0.0, //
-                    0.0,
-                    y,
-                    0.0,
-                    0.0, //
-                    0.0,
-                    0.0,
-                    n / (f - n),
-                    -1.0, //
-                    0.0,
-                    0.0,
-                    n * f / (f - n),
-                    0.0,
-                ])
+                let height = 1.0 / (0.5 * fov_y).tan();
+                let (at_eye, at_far) = if f.is_finite() { (n / (f - n), n * f / (f - n)) } else { (0.0, n) };
+                Mat4::from_cols(
+                    Vec4::new(height / aspect, 0.0, 0.0, 0.0),
+                    Vec4::new(0.0, height, 0.0, 0.0),
+                    Vec4::new(-x, -y, at_eye, -1.0),
+                    Vec4::new(0.0, 0.0, at_far, 0.0),
+                )
             }
-            Projection::Orthographic { half_height, aspect } => Mat4::from_cols_array(&[
-                1.0 / (half_height * aspect),
-                0.0,
-                0.0,
-                0.0, //
-                0.0,
-                1.0 / half_height,
-                0.0,
-                0.0, //
-                0.0,
-                0.0,
-                1.0 / (f - n),
-                0.0, //
-                0.0,
-                0.0,
-                f / (f - n),
-                1.0,
-            ]),
+            Projection::Orthographic { half_height, aspect } => Mat4::from_cols(
+                Vec4::new(1.0 / (half_height * aspect), 0.0, 0.0, 0.0),
+                Vec4::new(0.0, 1.0 / half_height, 0.0, 0.0),
+                Vec4::new(0.0, 0.0, 1.0 / (f - n), 0.0),
+                Vec4::new(x, y, f / (f - n), 1.0),
+            ),
         }
     }
 
@@ -208,9 +227,18 @@ impl Camera {
     pub fn clip_depth(&self, depth: f32) -> f32 {
         let (n, f) = (self.near, self.far);
         match self.projection {
+            Projection::Perspective { .. } if f == f32::INFINITY => n / depth,
             Projection::Perspective { .. } => n / (f - n) * (f / depth - 1.0),
             Projection::Orthographic { .. } => (f - depth) / (f - n),
         }
+    }
+
+    /// Half the height and half the width, metres at view depth `depth`, of the smallest picture around the direction of view that
+    /// shows all.
+    pub(crate) fn widest_half_extents(&self, depth: f64) -> (f64, f64) {
+        let [x, y] = self.centre.map(|place| 1.0 + f64::from(place.abs()));
+        let (half_height, half_width) = self.half_extents(depth);
+        (half_height * y, half_width * x)
     }
 
     /// Half the height and half the width of what is seen at view depth `depth`, metres.
@@ -229,25 +257,28 @@ impl Camera {
     /// Returns the eight corners of the slice between two view depths, in world space: the near four counter-clockwise seen
     /// from the eye, from lower left; then the far four likewise.
     pub fn slice_corners(&self, depths: Range<f64>) -> [DVec3; 8] {
-        let axis = |v: glam::Vec4| v.truncate().as_dvec3();
+        let axis = |v: Vec4| v.truncate().as_dvec3();
         let (right, up, back) = (
             axis(self.world_from_view.x_axis),
             axis(self.world_from_view.y_axis),
             axis(self.world_from_view.z_axis),
         );
         let eye = self.eye().as_dvec3();
+        let [x, y] = self.centre.map(f64::from);
         std::array::from_fn(|i| {
             let depth = if i < 4 { depths.start } else { depths.end };
             let (half_height, half_width) = self.half_extents(depth);
-            let x = if matches!(i % 4, 1 | 2) { half_width } else { -half_width };
-            let y = if i % 4 >= 2 { half_height } else { -half_height };
-            eye - back * depth + right * x + up * y
+            let to_right = half_width * (if matches!(i % 4, 1 | 2) { 1.0 } else { -1.0 } - x);
+            let to_top = half_height * (if i % 4 >= 2 { 1.0 } else { -1.0 } - y);
+            eye - back * depth + right * to_right + up * to_top
         })
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2;
+
     use super::*;
 
     fn perspective(near: f32, far: f32) -> Camera {
@@ -291,7 +322,7 @@ mod tests {
                 "n {n} f {f} z {z}: {}",
                 camera.clip_depth(z)
             );
-            let clip = camera.clip_from_view() * glam::Vec4::new(0.0, 0.0, -z, 1.0);
+            let clip = camera.clip_from_view() * Vec4::new(0.0, 0.0, -z, 1.0);
             assert!(
                 (clip.z / clip.w - reversed).abs() < 1e-6,
                 "the matrix at n {n} f {f} z {z}: {}",
@@ -307,6 +338,7 @@ mod tests {
             Projection::Orthographic { half_height: 4.0, aspect: 0.5 },
         ] {
             let camera = Camera::looking(Vec3::ONE, Vec3::NEG_X, Vec3::Y, projection, 0.5, 20.0).unwrap();
+            let camera = camera.with_centre([0.25, -0.5]).unwrap();
             let corners =
                 camera.slice_corners(0.5..20.0).map(|p| camera.clip_from_world().project_point3(p.as_vec3()));
             let expected = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
@@ -319,6 +351,32 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn an_endless_camera_is_the_limit_of_others() {
+        let (endless, far) = (perspective(0.5, f32::INFINITY), perspective(0.5, 1e9));
+        for depth in [0.5, 1.0, 30.0, 5e4] {
+            let (got, wanted) = (endless.clip_depth(depth), far.clip_depth(depth));
+            assert!((got - wanted).abs() < 1e-6, "{got}, {wanted} at {depth}");
+            let clip = endless.clip_from_view() * Vec4::new(0.3, 0.2, -depth, 1.0);
+            assert!((clip.z / clip.w - wanted).abs() < 1e-6, "{clip} at {depth}");
+        }
+        let flat = Projection::Orthographic { half_height: 1.0, aspect: 1.0 };
+        let endless = Camera::new(Mat4::IDENTITY, flat, 1.0, f32::INFINITY);
+        assert_eq!(endless, Err(CameraError::DepthRange { near: 1.0, far: f32::INFINITY }));
+    }
+
+    #[test]
+    fn sides_are_where_they_are_said_to_be() {
+        let sides = [-1.2, 0.8, -0.9, 1.1];
+        let camera = Camera::with_sides(Mat4::IDENTITY, sides, 0.1, 100.0).unwrap();
+        for (x, y, ndc) in [(-1.2, -0.9, [-1.0, -1.0]), (0.8, 1.1, [1.0, 1.0]), (0.0, 0.0, camera.centre())] {
+            let place = camera.clip_from_world().project_point3(Vec3::new(x, y, -1.0) * 7.0);
+            assert!((place.truncate() - Vec2::from(ndc)).length() < 1e-5, "{x}, {y} is at {place}");
+        }
+        let aside = Camera::with_sides(Mat4::IDENTITY, [0.1, 0.8, -0.9, 1.1], 0.1, 100.0);
+        assert!(matches!(aside, Err(CameraError::Centre(_))), "{aside:?}");
     }
 
     #[test]

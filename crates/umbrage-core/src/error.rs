@@ -21,13 +21,21 @@ pub enum CameraError {
     HalfHeight(f32),
     /// The camera's axes are not perpendicular unit vectors, or its place is not finite.
     NotRigid,
+    /// The direction of view does not lie within the picture, NDC.
+    Centre([f32; 2]),
+    /// Two eyes do not look the same way, or one of them is not a pinhole.
+    Eyes,
 }
 
 impl fmt::Display for CameraError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::DepthRange { near, far } => {
-                write!(f, "a camera needs 0 < near < far, both finite, got near {near} m and far {far} m")
+                write!(
+                    f,
+                    "a camera needs 0 < near < far, both finite but for the far of a perspective one, got near {near} m and \
+                     far {far} m"
+                )
             }
             Self::FieldOfView(fov) => {
                 write!(
@@ -43,6 +51,18 @@ impl fmt::Display for CameraError {
                 write!(f, "half the height of an orthographic view must be positive, got {half} m")
             }
             Self::NotRigid => write!(f, "a camera needs a finite place and perpendicular unit axes"),
+            Self::Centre([x, y]) => {
+                write!(
+                    f,
+                    "a camera's direction of view must lie between −1 and 1 in its picture, got {x}, {y}"
+                )
+            }
+            Self::Eyes => {
+                write!(
+                    f,
+                    "one camera for two eyes needs perspective cameras with parallel axes; plan for each by itself"
+                )
+            }
         }
     }
 }

@@ -1,16 +1,11 @@
-//! The maths of real-time shadows for large worlds: pure functions, no GPU.
+#![doc = include_str!("../README.md")]
 //!
-//! A shadow technique is a plan. A plan is a list of shadow views. A shadow view is a matrix, a tile and a share of the
-//! scene. [`plan()`] makes them from a [`Camera`], some [`Light`]s, the [`Bounds`] of the world and [`Settings`]:
-//! it cuts the camera's depth range into splits ([`split_distances`]), fits a light-space box to each ([`Fit`]), and says
-//! which casters can shadow it ([`ConvexVolume`]).
+//! # Where to look
 //!
-//! Conventions: world space is right-handed, metres, Y up. View space looks down −Z; *view depth* is the positive
-//! distance from the eye along the view direction. NDC is x, y in −1…1 with y up and z in 0…1; texture v points down.
-//! Depth is reversed, the camera's and that of shadow maps: 1 near, 0 far. Matrices are named
-//! `target_from_source` and multiply column vectors. Visibility is 1 for lit and 0 for shadowed.
-//!
-//! This crate does not: draw, allocate textures, know a shading language, load scenes, or choose your light.
+//! [`plan()`] makes a [`ShadowPlan`] from a [`Camera`], some [`Light`]s, the [`Bounds`] of the world and [`Settings`]: it cuts the
+//! camera's depth range into splits ([`split_distances`]), fits a light-space box to each ([`Fit`]), and says which casters can
+//! shadow it ([`ConvexVolume`]). [`Lookup`] reads maps that were drawn. Texture v points down; NDC has x, y in −1…1 with y up, and
+//! z in 0…1. *View depth* is the positive distance from the eye along the direction of view.
 
 mod aliasing;
 mod allocation;
@@ -24,6 +19,7 @@ mod convex;
 mod cull;
 mod depth_range;
 mod error;
+mod eyes;
 mod filter;
 mod finite;
 mod fit;

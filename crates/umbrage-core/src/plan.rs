@@ -365,6 +365,7 @@ fn shadowed_depths(
         return Err(PlanError::Lights { got: lights.len(), max: MAX_LIGHTS });
     }
     let far = settings.distance.map_or(camera.far(), |distance| distance.min(camera.far()));
+    let far = if far.is_finite() { far } else { end_of(bounds, camera) };
     if far <= camera.near() {
         return Err(PlanError::Distance { distance: far, near: camera.near() });
     }
@@ -372,4 +373,14 @@ fn shadowed_depths(
         return Err(PlanError::Bounds);
     }
     Ok(camera.near()..far)
+}
+
+/// The view depth, metres, behind which nothing of the world lies: for cameras that see without end.
+fn end_of(bounds: &Bounds, camera: &Camera) -> f32 {
+    let depth =
+        |corner: glam::Vec3| (corner.as_dvec3() - camera.eye().as_dvec3()).dot(camera.forward().as_dvec3());
+    let deepest = bounds.world().corners().map(depth).into_iter().fold(0.0, f64::max);
+    // A world behind the eye, or none: any end will do.
+    let end = if deepest.is_finite() { deepest as f32 * 1.0001 } else { 0.0 };
+    end.max(2.0 * camera.near())
 }

@@ -23,7 +23,7 @@ pub(crate) fn bounding_sphere(camera: &Camera, depths: Range<f64>) -> Sphere {
     let (n, f) = (depths.start, depths.end);
     match camera.projection() {
         Projection::Perspective { .. } => {
-            let (half_height, half_width) = camera.half_extents(1.0);
+            let (half_height, half_width) = camera.widest_half_extents(1.0);
             let k2 = half_height * half_height + half_width * half_width;
             if k2 >= (f - n) / (f + n) {
                 // The far plane's circle is the sphere's equator.
@@ -34,7 +34,7 @@ pub(crate) fn bounding_sphere(camera: &Camera, depths: Range<f64>) -> Sphere {
             }
         }
         Projection::Orthographic { .. } => {
-            let (half_height, half_width) = camera.half_extents(n);
+            let (half_height, half_width) = camera.widest_half_extents(n);
             let half_depth = 0.5 * (f - n);
             let radius = (half_height.powi(2) + half_width.powi(2) + half_depth.powi(2)).sqrt();
             Sphere { depth: 0.5 * (f + n), radius }

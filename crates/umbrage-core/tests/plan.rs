@@ -4,6 +4,8 @@
 mod any;
 #[path = "plan/extremes.rs"]
 mod extremes;
+#[path = "plan/eyes.rs"]
+mod eyes;
 #[path = "plan/lattice.rs"]
 mod lattice;
 #[path = "plan/punctual.rs"]

@@ -166,10 +166,11 @@ impl Welded {
         for part in &mesh.parts {
             let surface = part.cover.as_ref().map(|cover| coverage.surface(cover));
             all.surfaces.extend(surface);
-            for triangle in part.indices.as_chunks::<3>().0 {
+            for triangle in part.indices.chunks_exact(3) {
+                let triangle = [triangle[0], triangle[1], triangle[2]];
                 // A vertex that is not there is nowhere.
                 let places = triangle.map(|i| mesh.positions.get(i as usize).copied().unwrap_or(Vec3::NAN));
-                if !if mesh.bends { may_have_area(*triangle, places) } else { has_area(places) } {
+                if !if mesh.bends { may_have_area(triangle, places) } else { has_area(places) } {
                     all.left_out += 1;
                     continue;
                 }

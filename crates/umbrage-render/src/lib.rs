@@ -86,3 +86,8 @@ pub use renderer::{AreaRendered, BentVertices, Renderer};
 pub use shaders::SPLIT_COLOURS;
 pub use timing::{FrameTimes, ViewLoad};
 pub use umbrage;
+
+/// The README's Rust is compiled as a newcomer would.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -27,7 +27,7 @@ pub enum BindingKind {
         /// Whether the offset is given when the group is bound.
         has_dynamic_offset: bool,
     },
-    /// A texture that is read, of one sample a texel.
+    /// A texture that is read.
     Texture {
         /// What a texel is read as.
         sample: SampleType,
@@ -61,6 +61,8 @@ pub enum SampleType {
 pub enum Dimension {
     /// One layer.
     D2,
+    /// One layer of several samples a texel.
+    D2Multisampled,
     /// An array of layers.
     D2Array,
 }

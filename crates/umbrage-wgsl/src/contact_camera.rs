@@ -14,6 +14,15 @@ shared_with_shaders! {
     }
 }
 
+/// How a camera's depth lies that contact shadows march through. The default is reversed, of one sample a pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ContactDepth {
+    /// Depth is 0 on the camera's near plane and 1 on its far one, and not the reverse. Half of a float's precision is lost so.
+    pub forward: bool,
+    /// The texture has several samples a pixel, of which the first is read.
+    pub multisampled: bool,
+}
+
 /// Bytes of the uniform buffer that holds a camera.
 pub const CONTACT_CAMERA_BYTES: usize = 144;
 

@@ -1,25 +1,11 @@
-//! The shaders of Umbrage, for any host with a WGSL compiler: each program one plain text, the frame as bytes, and the bindings
-//! as data.
+#![doc = include_str!("../README.md")]
 //!
-//! A text is joined from the modules of `shaders/`, which say themselves what they import. It goes in front of your own shader:
+//! # Where to look
 //!
-//! ```
-//! use umbrage_core::Settings;
-//! use umbrage_wgsl::{ShaderKey, TextureSupport, receiver, receiver_bindings};
-//!
-//! let key = ShaderKey::new(&Settings::default(), TextureSupport::WEBGPU);
-//! let text = receiver(&key, 1) + "// … your own shader, which calls umbrage_visibility(position, normal, pixel)";
-//! for binding in receiver_bindings(&key) {
-//!     println!("@group(1) @binding({}) {}: {:?}", binding.binding, binding.name, binding.kind);
-//! }
-//! # assert!(text.contains("fn umbrage_visibility("));
-//! ```
-//!
-//! There are two layers of modules. The technique says what is compared, and how answers are weighed: `receiver/`, `filter/`,
-//! `sampling/`, `moments/`. The storage says where a matrix, a tile and a texel come from, and which way depth grows: `storage/`. A
-//! host that keeps its maps in its own way replaces the second: [`receiver_with`].
-//!
-//! This crate does not: know a graphics library, make a texture, or draw.
+//! A [`ShaderKey`] is what texts depend on. [`receiver`] asks for visibility, [`caster`] draws maps, [`contact`] marches through the
+//! camera's depth, and [`moments`] and others make of maps what a filter reads; each text has a function beside it that lists its
+//! [`Binding`]s. [`FrameBytes`] are a plan as shaders read it. A text is joined from the modules of `shaders/`, which say themselves
+//! what they import; [`receiver_with`] puts a host's own in place of some.
 
 mod binding;
 mod constants;
@@ -33,23 +19,25 @@ mod link;
 mod looks;
 mod modules;
 mod shared;
+mod slot;
 mod steps;
 mod texts;
 
 pub use binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
-pub use contact_camera::{CONTACT_CAMERA_BYTES, contact_camera};
+pub use contact_camera::{CONTACT_CAMERA_BYTES, ContactDepth, contact_camera};
 pub use error::ImportError;
 pub use format::{MomentFormat, TexelFormat, TextureSupport};
 pub use frame::{FrameBytes, Surroundings};
 pub use key::{OccluderTraits, ShaderKey};
 pub use levels::lattice_level;
 pub use looks::{LookBytes, ReadChoices, seen_size};
+pub use slot::Slot;
 pub use steps::{MomentSteps, Step, SumSteps, moments, msm_blocker};
 pub use texts::{
-    FIRST_OCCLUDER_BINDING, caster, caster_bindings, clear, contact, contact_bindings, join, join_bindings,
-    left, left_bindings, map, peel, peel_bindings, receiver, receiver_bindings, receiver_with, refit,
-    refit_bindings, resolve, resolve_bindings, restore, restore_bindings, samples, samples_bindings,
-    second_caster,
+    FIRST_OCCLUDER_BINDING, caster, caster_bindings, clear, contact, contact_bindings, contact_bindings_in,
+    contact_in, join, join_bindings, left, left_bindings, map, peel, peel_bindings, receiver,
+    receiver_bindings, receiver_with, refit, refit_bindings, resolve, resolve_bindings, restore,
+    restore_bindings, samples, samples_bindings, second_caster,
 };
 
 #[cfg(test)]

@@ -4,9 +4,11 @@ use umbrage_core::{Contact, DepthLayer, ShaderNumber, ShaderValue};
 
 use crate::binding::{Binding, BindingKind, Dimension, SampleType, SamplerKind, Stages};
 use crate::constants::lines;
+use crate::contact_camera::ContactDepth;
 use crate::error::ImportError;
 use crate::key::{Read, ShaderKey, StoredLayout, Traced};
 use crate::link::{Recipe, link};
+use crate::slot::Slot;
 
 /// Modules that every receiver's text holds: [`contact`] goes behind it.
 const IN_EVERY_RECEIVER: &[&str] = &["frame", "light", "sampling/gradient_noise"];
@@ -17,9 +19,9 @@ const RECEIVER: &[&str] = &["receiver/footprint", "receiver/shade", "receiver/by
 /// WGSL to put in front of a receiver's shader: `umbrage_visibility(world_position, world_normal, pixel) -> f32`,
 /// `umbrage_light_visibility(light, …)`, `umbrage_shade(ambient, lit, visibility) -> vec3f`, and for several lights
 /// `umbrage_shading(ambient)`, `umbrage_add_light(shading, lit, visibility)` and `umbrage_shaded(shading) -> vec3f`. Its bindings
-/// are group `group` of the pipeline: [`receiver_bindings`].
-pub fn receiver(key: &ShaderKey, group: u32) -> String {
-    said(receiver_with(key, group, &[]))
+/// are [`receiver_bindings`], at `slot`: the number of a group of its own, or a [`Slot`] behind bindings of the host's.
+pub fn receiver(key: &ShaderKey, slot: impl Into<Slot>) -> String {
+    said(receiver_with(key, slot, &[]))
 }
 
 /// As [`receiver`], with modules that stand in for ours: `("storage/map", text)` says where matrices, tiles and texels come from
@@ -27,12 +29,16 @@ pub fn receiver(key: &ShaderKey, group: u32) -> String {
 ///
 /// # Errors
 /// When a module lacks a name that others import from it, or imports what is not there.
-pub fn receiver_with(key: &ShaderKey, group: u32, replaced: &[(&str, &str)]) -> Result<String, ImportError> {
+pub fn receiver_with(
+    key: &ShaderKey,
+    slot: impl Into<Slot>,
+    replaced: &[(&str, &str)],
+) -> Result<String, ImportError> {
     let roots = [IN_EVERY_RECEIVER, RECEIVER].concat();
     let (choices, constants) = (key.choices(), key.constants());
     let recipe =
         Recipe { roots: &roots, choices: &choices, constants: &constants, replaced, ..Recipe::default() };
-    Ok(in_group(&link(recipe)?, group))
+    Ok(slot.into().move_bindings(&link(recipe)?))
 }
 
 /// What [`receiver`] binds.
@@ -109,20 +115,20 @@ pub fn refit_bindings() -> Vec<Binding> {
 /// WGSL to put in front of a caster's shaders: `umbrage_caster_position(world_position) -> vec4f` for the vertex shader; for a
 /// fragment shader, where casters have holes, `umbrage_caster_fragment(position)`, which does nothing here, and
 /// `umbrage_caster_covers(position, id, coverage) -> bool`, whether what covers in part is drawn in this texel. Its bindings are
-/// group `group` of the pipeline: [`caster_bindings`].
-pub fn caster(group: u32) -> String {
-    caster_with("caster/first", group)
+/// [`caster_bindings`], at `slot`: the number of a group of its own, or a [`Slot`] behind bindings of the host's.
+pub fn caster(slot: impl Into<Slot>) -> String {
+    caster_with("caster/first", slot.into())
 }
 
 /// WGSL that declares what [`caster`] does, for the second surface that the light meets: `umbrage_caster_fragment(position)` leaves
 /// out the first, by discard, so every fragment shader calls it. Its bindings are [`peel_bindings`].
-pub fn second_caster(group: u32) -> String {
-    caster_with("caster/second", group)
+pub fn second_caster(slot: impl Into<Slot>) -> String {
+    caster_with("caster/second", slot.into())
 }
 
-fn caster_with(surface: &str, group: u32) -> String {
+fn caster_with(surface: &str, slot: Slot) -> String {
     let roots = &["caster/caster", surface, "caster/covers"];
-    said(link(Recipe { roots, ..Recipe::default() }).map(|text| in_group(&text, group)))
+    said(link(Recipe { roots, ..Recipe::default() }).map(|text| slot.move_bindings(&text)))
 }
 
 /// What [`caster`] binds.
@@ -218,24 +224,43 @@ pub fn map() -> String {
 }
 
 /// WGSL to put behind that of [`receiver`]: `umbrage_contact(light, world_position, world_normal, pixel) -> f32`, 1 for lit. Its
-/// bindings are group `group` of the pipeline: [`contact_bindings`]. The text depends on all of `contact`.
-pub fn contact(contact: &Contact, group: u32) -> String {
+/// bindings are [`contact_bindings`], at `slot`. The text depends on all of `contact`. The camera's depth is reversed, and has one sample
+/// a pixel: [`contact_in`] takes others.
+pub fn contact(contact: &Contact, slot: impl Into<Slot>) -> String {
+    contact_in(contact, ContactDepth::default(), slot)
+}
+
+/// As [`contact`], in a depth that lies otherwise. Its bindings are [`contact_bindings_in`].
+pub fn contact_in(contact: &Contact, depth: ContactDepth, slot: impl Into<Slot>) -> String {
     let Contact { length, steps, thickness } = *contact;
+    let far = if depth.forward { 1.0 } else { 0.0 };
     let constants = lines(&[
+        ShaderNumber { name: "UMBRAGE_CONTACT_FAR", value: ShaderValue::F32(far) },
         ShaderNumber { name: "UMBRAGE_CONTACT_LENGTH", value: ShaderValue::F32(length) },
         ShaderNumber { name: "UMBRAGE_CONTACT_STEPS", value: ShaderValue::U32(steps) },
         ShaderNumber { name: "UMBRAGE_CONTACT_THICKNESS", value: ShaderValue::F32(thickness) },
     ]);
     let (roots, in_front) = (&["receiver/contact"], IN_EVERY_RECEIVER);
     let text = link(Recipe { roots, constants: &constants, in_front, ..Recipe::default() });
-    said(text.map(|text| in_group(&text, group)))
+    let text = said(text.map(|text| slot.into().move_bindings(&text)));
+    match depth.multisampled {
+        // `textureLoad` has the level of one texture where it has the sample of the other.
+        true => text.replace("_depth: texture_2d<f32>", "_depth: texture_multisampled_2d<f32>"),
+        false => text,
+    }
 }
 
 /// What [`contact`] binds: the camera of [`crate::contact_camera`], and the depth that it sees.
 pub fn contact_bindings() -> Vec<Binding> {
+    contact_bindings_in(ContactDepth::default())
+}
+
+/// What [`contact_in`] binds.
+pub fn contact_bindings_in(depth: ContactDepth) -> Vec<Binding> {
     let stages = Stages::FragmentAndCompute;
     let uniform = BindingKind::Uniform { has_dynamic_offset: false };
-    let depth = BindingKind::Texture { sample: SampleType::Float, dimension: Dimension::D2 };
+    let dimension = if depth.multisampled { Dimension::D2Multisampled } else { Dimension::D2 };
+    let depth = BindingKind::Texture { sample: SampleType::Float, dimension };
     vec![
         Binding { binding: 0, name: "umbrage_contact_camera", kind: uniform, stages },
         Binding { binding: 1, name: "umbrage_contact_depth", kind: depth, stages },
@@ -283,8 +308,4 @@ pub fn left_bindings() -> Vec<Binding> {
 /// takes.
 pub(crate) fn said(text: Result<String, ImportError>) -> String {
     text.unwrap_or_else(|error| format!("{error}\n"))
-}
-
-fn in_group(text: &str, group: u32) -> String {
-    text.replace("@group(0)", &format!("@group({group})"))
 }

@@ -5,7 +5,7 @@ mod mask;
 mod off_screen;
 
 use glam::Vec3;
-use off_screen::{Result, module, picture, save};
+use off_screen::{Result, camera_text, module, picture, save};
 use umbrage::{
     Bounds, Camera, CasterPipeline, CasterStage, Light, Projection, Settings, Shadows, caster_wgsl,
     second_caster_wgsl,
@@ -105,9 +105,7 @@ pub(crate) fn draw(settings: Settings) -> Result<Vec<u8>> {
     }
     shadows.finish(&mut encoder, &plan)?;
 
-    let matrix = format!("{:?}", camera.clip_from_world().to_cols_array()).replace(['[', ']'], "");
-    let my_camera = format!("const CLIP_FROM_WORLD = mat4x4f({matrix});");
-    let mine = module(&device, &[&shadows.wgsl(0), &my_camera, MY_SCENE, MY_SHADING]);
+    let mine = module(&device, &[&shadows.wgsl(0), &camera_text(&camera), MY_SCENE, MY_SHADING]);
     let groups = [(shadows.bind_group_layout(), shadows.bind_group()), (&layout, &leaf)];
     picture((&device, &queue), encoder, &mine, &groups, (6, 241))
 }

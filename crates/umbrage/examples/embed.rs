@@ -92,7 +92,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     buffer.map_async(wgpu::MapMode::Read, .., |_| ());
     device.poll(wgpu::PollType::wait_indefinitely())?;
     let mut file = format!("P6 {SIZE} {SIZE} 255\n").into_bytes();
-    file.extend(buffer.get_mapped_range(..)?.as_chunks::<4>().0.iter().flat_map(|rgba| &rgba[..3]));
+    file.extend(buffer.get_mapped_range(..)?.chunks_exact(4).flat_map(|rgba| &rgba[..3]));
     Ok(std::io::Write::write_all(&mut std::fs::File::create("embed.ppm")?, &file)?)
 }
 

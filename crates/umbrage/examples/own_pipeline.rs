@@ -5,7 +5,7 @@
 mod off_screen;
 
 use glam::Vec3;
-use off_screen::{Result, module, picture, save};
+use off_screen::{Result, camera_text, module, picture, save};
 use umbrage::{
     Bounds, Camera, CasterState, Light, Projection, Settings, ShadowPlan, Shadows, caster_wgsl,
     second_caster_wgsl,
@@ -88,11 +88,7 @@ pub(crate) fn draw(settings: Settings) -> Result<Vec<u8>> {
     }
     shadows.finish(&mut encoder, &plan)?;
 
-    let matrix = format!("{:?}", camera.clip_from_world().to_cols_array()).replace(['[', ']'], "");
-    let my_camera = format!(
-        "const CLIP_FROM_WORLD = mat4x4f({matrix}); const EYE = vec3f({}, {}, {}); const SWAY = {SWAY:?};",
-        eye.x, eye.y, eye.z
-    );
+    let my_camera = camera_text(&camera) + &format!(" const SWAY = {SWAY:?};");
     let mine = module(&device, &[&shadows.wgsl(0), &my_camera, MY_SCENE, MY_SHADING]);
     let groups = [(shadows.bind_group_layout(), shadows.bind_group())];
     picture((&device, &queue), encoder, &mine, &groups, (3 * (VERTICES - 2), FLAGS + 1))

@@ -10,14 +10,19 @@ pub(crate) fn group_layout(
     label: &str,
     bindings: &[Binding],
 ) -> wgpu::BindGroupLayout {
+    let entries = layout_entries(bindings, 0);
+    objects.group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+}
+
+/// The entries of a layout for these bindings, with number `first` in place of 0.
+pub(crate) fn layout_entries(bindings: &[Binding], first: u32) -> Vec<wgpu::BindGroupLayoutEntry> {
     let entry = |binding: &Binding| wgpu::BindGroupLayoutEntry {
-        binding: binding.binding,
+        binding: first + binding.binding,
         visibility: stages(binding.stages),
         ty: kind(binding.kind),
         count: None,
     };
-    let entries: Vec<_> = bindings.iter().map(entry).collect();
-    objects.group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+    bindings.iter().map(entry).collect()
 }
 
 /// A group that binds these, at 0 and on.
@@ -27,19 +32,16 @@ pub(crate) fn group<'a>(
     layout: &wgpu::BindGroupLayout,
     resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
 ) -> wgpu::BindGroup {
-    group_at(objects, label, layout, (0..).zip(resources))
+    let entries = entries(0, resources);
+    objects.group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }
 
-/// A group that binds these, each at its number.
-pub(crate) fn group_at<'a>(
-    objects: &Objects<'_>,
-    label: &str,
-    layout: &wgpu::BindGroupLayout,
-    resources: impl IntoIterator<Item = (u32, wgpu::BindingResource<'a>)>,
-) -> wgpu::BindGroup {
-    let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
-    let entries: Vec<_> = resources.into_iter().map(entry).collect();
-    objects.group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+/// The entries of a group that binds these, at `first` and on.
+pub(crate) fn entries<'a>(
+    first: u32,
+    resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
+) -> Vec<wgpu::BindGroupEntry<'a>> {
+    (first..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect()
 }
 
 fn stages(stages: Stages) -> wgpu::ShaderStages {
@@ -69,10 +71,10 @@ fn kind(kind: BindingKind) -> wgpu::BindingType {
                 SampleType::Uint => wgpu::TextureSampleType::Uint,
             },
             view_dimension: match dimension {
-                Dimension::D2 => wgpu::TextureViewDimension::D2,
+                Dimension::D2 | Dimension::D2Multisampled => wgpu::TextureViewDimension::D2,
                 Dimension::D2Array => wgpu::TextureViewDimension::D2Array,
             },
-            multisampled: false,
+            multisampled: dimension == Dimension::D2Multisampled,
         },
         BindingKind::StorageTexture { format } => wgpu::BindingType::StorageTexture {
             access: wgpu::StorageTextureAccess::WriteOnly,

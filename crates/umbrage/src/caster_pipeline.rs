@@ -90,7 +90,8 @@ pub struct CasterPipeline<'a> {
     pub faces: Option<CasterFaces>,
     /// The bytes of immediates that the shaders read; 0 by default.
     pub immediate_size: u32,
-    /// A cache of compiled pipelines, where the device has one; `None` by default.
+    /// A cache of compiled pipelines, where the device has one; `None`, the default, is that of
+    /// [`Shadows::with_pipeline_cache`](crate::Shadows::with_pipeline_cache).
     pub cache: Option<&'a wgpu::PipelineCache>,
 }
 

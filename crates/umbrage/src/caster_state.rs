@@ -2,7 +2,9 @@
 //! drawn, and how depth is written.
 
 use umbrage_core::{CasterFaces, CasterKey, ShadowView};
+use umbrage_wgsl::Binding;
 
+use crate::bindings;
 use crate::depth_pipeline::texture_format;
 use crate::frame::offset;
 
@@ -11,7 +13,8 @@ use crate::frame::offset;
 ///
 /// The group may be any that the host gives to [`caster_wgsl`](crate::caster_wgsl). [`Shadows::cast`](crate::Shadows::cast) and
 /// [`Shadows::begin`](crate::Shadows::begin) bind it as group 0; elsewhere, and in bundles, the host binds it, at the view's
-/// offset.
+/// offset. Where the host has no group to spare, it binds [`Self::bind_group_entries`] behind its own bindings in one of its groups,
+/// and gives the text a [`Slot`](crate::Slot).
 ///
 /// ```no_run
 /// # fn casters(device: &wgpu::Device, shadows: &umbrage::Shadows, pipeline: &wgpu::RenderPipeline, plan: &umbrage::ShadowPlan) {
@@ -37,14 +40,23 @@ pub struct CasterState<'a> {
     pub primitive: wgpu::PrimitiveState,
     /// The maps' format and the settings' raster bias; depth is reversed, so what is greater is nearer.
     pub depth_stencil: wgpu::DepthStencilState,
+    /// What the group binds.
+    bound: Bound<'a>,
+}
+
+/// What a group of casters is made of.
+#[derive(Clone, Debug)]
+pub(crate) struct Bound<'a> {
+    pub bindings: Vec<Binding>,
+    pub resources: Vec<wgpu::BindingResource<'a>>,
 }
 
 impl<'a> CasterState<'a> {
-    /// The state for a key, with a group of this layout.
+    /// The state for a key, with a layout, and a group of it that binds all this.
     pub(crate) fn new(
         key: CasterKey,
-        bind_group_layout: &'a wgpu::BindGroupLayout,
-        bind_group: &'a wgpu::BindGroup,
+        (bind_group_layout, bind_group): (&'a wgpu::BindGroupLayout, &'a wgpu::BindGroup),
+        bound: Bound<'a>,
     ) -> Self {
         let primitive = wgpu::PrimitiveState {
             cull_mode: cull_mode(key.faces),
@@ -63,7 +75,19 @@ impl<'a> CasterState<'a> {
                 clamp: 0.0,
             },
         };
-        Self { bind_group_layout, bind_group, primitive, depth_stencil }
+        Self { bind_group_layout, bind_group, primitive, depth_stencil, bound }
+    }
+
+    /// Returns what a layout of the host's holds for the caster's text, where its bindings begin with number `first_binding`. The
+    /// second has a dynamic offset, which is [`Self::offset`]; offsets are given in the order of their bindings.
+    pub fn bind_group_layout_entries(&self, first_binding: u32) -> Vec<wgpu::BindGroupLayoutEntry> {
+        bindings::layout_entries(&self.bound.bindings, first_binding)
+    }
+
+    /// Returns what a group of the host's binds for it. It is other objects after a change that made some
+    /// ([`Changed::objects`](crate::Changed::objects)), so make the group anew then.
+    pub fn bind_group_entries(&self, first_binding: u32) -> Vec<wgpu::BindGroupEntry<'a>> {
+        bindings::entries(first_binding, self.bound.resources.iter().cloned())
     }
 
     /// Returns the dynamic offset at which [`Self::bind_group`] is bound to draw a view, bytes.

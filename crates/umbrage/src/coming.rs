@@ -1,6 +1,8 @@
 //! Bytes of a buffer on their way to the CPU, which nobody waits for.
 
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+
+use crate::error::DeviceError;
 
 /// A copy of a buffer that comes when the commands are done that it was recorded among.
 #[derive(Debug)]
@@ -12,13 +14,26 @@ pub(crate) struct Coming {
 impl Coming {
     /// Records a copy of a whole buffer.
     pub fn of(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, buffer: &wgpu::Buffer) -> Self {
+        let size = buffer.size();
+        Self::copied(device, encoder, size, |encoder, copy| {
+            encoder.copy_buffer_to_buffer(buffer, 0, copy, 0, size)
+        })
+    }
+
+    /// Records what `record` copies into a buffer of so many bytes.
+    pub fn copied(
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        size: u64,
+        record: impl FnOnce(&mut wgpu::CommandEncoder, &wgpu::Buffer),
+    ) -> Self {
         let copy = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("Coming::copy"),
-            size: buffer.size(),
+            size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, buffer.size());
+        record(encoder, &copy);
         let (sender, mapped) = channel();
         encoder.map_buffer_on_submit(&copy, wgpu::MapMode::Read, .., move |result| {
             // The receiver may be gone.
@@ -29,12 +44,19 @@ impl Coming {
 
     /// The bytes, or none where the device failed or the commands were never submitted; `None` where they have not come yet.
     pub fn take(&self) -> Option<Vec<u8>> {
+        self.read(<[u8]>::to_vec).map(Result::unwrap_or_default)
+    }
+
+    /// What `read` makes of the bytes, or why there are none; `None` where they have not come yet.
+    pub fn read<T>(&self, read: impl FnOnce(&[u8]) -> T) -> Option<Result<T, DeviceError>> {
         match self.mapped.try_recv() {
-            Err(std::sync::mpsc::TryRecvError::Empty) => None,
-            Err(std::sync::mpsc::TryRecvError::Disconnected) | Ok(Err(_)) => Some(Vec::new()),
-            Ok(Ok(())) => {
-                Some(self.copy.get_mapped_range(..).map_or_else(|_| Vec::new(), |bytes| bytes.to_vec()))
-            }
+            Err(TryRecvError::Empty) => None,
+            Err(error) => Some(Err(DeviceError::new(error))),
+            Ok(Err(error)) => Some(Err(DeviceError::new(error))),
+            Ok(Ok(())) => Some(match self.copy.get_mapped_range(..) {
+                Ok(bytes) => Ok(read(&bytes)),
+                Err(error) => Err(DeviceError::new(error)),
+            }),
         }
     }
 }

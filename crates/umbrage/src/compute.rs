@@ -49,7 +49,7 @@ impl Kernel {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let pipeline = objects.compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        let pipeline = objects.compute_pipeline(wgpu::ComputePipelineDescriptor {
             label: Some("Kernel::pipeline"),
             layout: Some(&pipeline_layout),
             module: &module,

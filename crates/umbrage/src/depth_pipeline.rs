@@ -22,7 +22,7 @@ pub(crate) fn depth_pipeline(objects: &Objects<'_>, of: &DepthPipeline<'_>) -> w
         bind_group_layouts: &groups,
         immediate_size: 0,
     });
-    objects.render_pipeline(&wgpu::RenderPipelineDescriptor {
+    objects.render_pipeline(wgpu::RenderPipelineDescriptor {
         label: Some(label),
         layout: Some(&layout),
         vertex: wgpu::VertexState {

@@ -176,8 +176,8 @@ impl ShadowError {
 
 /// What the device says of its failure.
 #[derive(Clone, Debug, thiserror::Error)]
-#[error("{0}")]
-pub struct DeviceError(#[source] Arc<dyn std::error::Error + Send + Sync>);
+#[error(transparent)]
+pub struct DeviceError(Arc<dyn std::error::Error + Send + Sync>);
 
 impl DeviceError {
     pub(crate) fn new(error: impl std::error::Error + Send + Sync + 'static) -> Self {

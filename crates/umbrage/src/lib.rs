@@ -1,29 +1,12 @@
-//! Real-time shadows for large worlds on wgpu, for any renderer.
+#![doc = include_str!("../README.md")]
 //!
-//! Keep your own pipelines. [`Shadows`] owns the maps and what shaders read; you draw your casters into each view of a
-//! [`ShadowPlan`], and ask `umbrage_visibility(world_position, world_normal, pixel)` in your own WGSL:
+//! # Where to look
 //!
-//! ```no_run
-//! # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, camera: &umbrage::Camera,
-//! #     lights: &[umbrage::Light], bounds: &umbrage::Bounds) -> Result<(), Box<dyn std::error::Error>> {
-//! use umbrage::{Settings, Shadows};
-//! let mut shadows = Shadows::new(device, Settings::default())?;
-//! shadows.allocate(device, lights)?; // nothing, where there is room already
-//! let plan = shadows.plan(camera, lights, bounds)?;
-//! shadows.upload(queue, &plan)?;
-//! let mut casting = shadows.cast(encoder, &plan)?;
-//! while let Some((pass, view)) = casting.next_view() {
-//!     // set your caster pipeline, draw what touches view.casters
-//! }
-//! drop(casting);
-//! shadows.finish(encoder, &plan)?; // moments and blurs, where the filter has them
-//! // … and one shading pass, with shadows.bind_group() where shadows.wgsl(group) expects it
-//! # Ok(()) }
-//! ```
-//!
-//! Everything of `umbrage-core` is re-exported: cameras, lights, settings, plans.
-//!
-//! This crate does not: create a device, load meshes, draw your scene, cull for you, or choose your light.
+//! * [`Shadows`] is what a renderer holds, and [`Settings`] is every choice that there is; [`PRESETS`] are good ones.
+//! * A [`ShadowPlan`] is made of a [`Camera`], some [`Light`]s and the [`Bounds`] of the world.
+//! * Casters are drawn with a [`CasterPipeline`], or one of the host's own that agrees with a [`CasterState`].
+//! * [`ContactShadows`] march through the camera's depth; [`Occluders`] are what rays go through.
+//! * Plans come from [`umbrage_core`], whose types are re-exported here; [`shaders`] and [`casters`] are other crates of the library.
 
 mod bindings;
 mod capabilities;
@@ -64,6 +47,7 @@ pub use changed::Changed;
 pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
 pub use kept::Share;
+pub use maps::ComingMaps;
 pub use occluders::{OccluderRoom, Occluders};
 pub use refit::BentMesh;
 pub use resolve::Resolve;
@@ -84,26 +68,21 @@ pub use umbrage_core::{
 };
 pub use {glam, umbrage_occluders as casters, umbrage_wgsl as shaders, wgpu};
 
-pub use umbrage_wgsl::{contact as contact_wgsl, map as map_wgsl};
+pub use umbrage_wgsl::{ContactDepth, Slot, contact as contact_wgsl, map as map_wgsl};
 
-/// WGSL to put in front of a caster's shaders: see [`shaders::caster`]. Its bindings are group `group` of the pipeline: 0 in those of
-/// [`Shadows::caster_pipeline`], and any in a host's own ([`CasterState`]).
-pub fn caster_wgsl(group: u32) -> String {
-    shaders::caster(group)
+/// WGSL to put in front of a caster's shaders: see [`shaders::caster`]. Its bindings lie at `slot`: group 0 in pipelines of
+/// [`Shadows::caster_pipeline`], and any group or [`Slot`] in a host's own ([`CasterState`]).
+pub fn caster_wgsl(slot: impl Into<Slot>) -> String {
+    shaders::caster(slot)
 }
 
 /// The same for the second surface that the light meets: see [`shaders::second_caster`] and [`Shadows::second_caster_pipeline`].
-pub fn second_caster_wgsl(group: u32) -> String {
-    shaders::second_caster(group)
+pub fn second_caster_wgsl(slot: impl Into<Slot>) -> String {
+    shaders::second_caster(slot)
 }
 
-/// WGSL to put in front of a receiver's shader, on a device that can do this: see [`shaders::receiver`]. Its bindings are group
-/// `group` of the pipeline. [`Shadows::wgsl`] is the same for settings in force.
-pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, group: u32) -> String {
-    shaders::receiver(&shaders::ShaderKey::new(settings, capabilities.textures()), group)
+/// WGSL to put in front of a receiver's shader, on a device that can do this: see [`shaders::receiver`]. Its bindings lie at `slot`.
+/// [`Shadows::wgsl`] is the same for settings in force.
+pub fn receiver_wgsl(settings: &Settings, capabilities: Capabilities, slot: impl Into<Slot>) -> String {
+    shaders::receiver(&shaders::ShaderKey::new(settings, capabilities.textures()), slot)
 }
-
-/// The README's Rust is compiled as a newcomer would.
-#[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
-struct Readme;

@@ -4,8 +4,9 @@ use umbrage_core::{DepthFormat, MapLayout, MapTexels, ShadowView, Tile};
 use umbrage_wgsl::clear;
 
 use crate::capabilities::Capabilities;
+use crate::coming::Coming;
 use crate::depth_pipeline::{DepthPipeline, depth_pipeline, texture_format};
-use crate::error::{DeviceError, ShadowError};
+use crate::error::ShadowError;
 use crate::objects::Objects;
 
 /// The depth texture that all views share.
@@ -169,64 +170,88 @@ impl Maps {
         pass.set_scissor_rect(x, y, size, size);
     }
 
-    /// Copies all texels to the CPU, and waits for them.
-    pub fn read(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<MapTexels, ShadowError> {
-        let bytes = self.layout.depth.bytes() as u32;
+    /// Records a copy of all texels for the CPU.
+    pub fn copy(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<ComingMaps, ShadowError> {
         let [width, height] = self.size();
-        let stride = (width * bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let size = u64::from(stride) * u64::from(height) * u64::from(self.layout.layers);
+        let layers = self.layout.layers;
+        let stride = stride(self.layout);
+        let size = u64::from(stride) * u64::from(height) * u64::from(layers);
         let max = device.limits().max_buffer_size;
         if size > max {
             return Err(ShadowError::CopyTooLarge { bytes: size, max });
         }
-        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("Maps::read"),
-            size,
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let mut encoder =
-            device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("Maps::read") });
-        encoder.copy_texture_to_buffer(
-            wgpu::TexelCopyTextureInfo {
-                texture: &self.texture,
-                mip_level: 0,
-                origin: wgpu::Origin3d::ZERO,
-                aspect: wgpu::TextureAspect::DepthOnly,
-            },
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(stride),
-                    rows_per_image: Some(height),
-                },
-            },
-            wgpu::Extent3d { width, height, depth_or_array_layers: self.layout.layers },
-        );
-        queue.submit([encoder.finish()]);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver lives until the result has come.
-            let _ = sender.send(result);
-        });
-        device.poll(wgpu::PollType::wait_indefinitely()).map_err(failed)?;
-        receiver.recv().map_err(failed)?.map_err(failed)?;
-        let mapped = buffer.get_mapped_range(..).map_err(failed)?;
-        let row = |row: &[u8]| -> Vec<f32> {
-            let row = &row[..(width * bytes) as usize];
-            match self.layout.depth {
-                DepthFormat::F32 => row.as_chunks().0.iter().map(|b| f32::from_le_bytes(*b)).collect(),
-                DepthFormat::U16 => {
-                    row.as_chunks().0.iter().map(|b| f32::from(u16::from_le_bytes(*b)) / 65535.0).collect()
-                }
-            }
+        let texture = wgpu::TexelCopyTextureInfo {
+            aspect: wgpu::TextureAspect::DepthOnly,
+            ..self.texture.as_image_copy()
         };
-        let depths = mapped.chunks_exact(stride as usize).flat_map(row).collect();
-        Ok(MapTexels { layout: self.layout, depths })
+        let rows = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(stride),
+            rows_per_image: Some(height),
+        };
+        let extent = wgpu::Extent3d { width, height, depth_or_array_layers: layers };
+        let coming = Coming::copied(device, encoder, size, |encoder, buffer| {
+            encoder.copy_texture_to_buffer(
+                texture,
+                wgpu::TexelCopyBufferInfo { buffer, layout: rows },
+                extent,
+            );
+        });
+        Ok(ComingMaps { coming, layout: self.layout })
     }
 }
 
-fn failed(error: impl std::error::Error + Send + Sync + 'static) -> ShadowError {
-    ShadowError::ReadBack(DeviceError::new(error))
+/// Texels of the maps on their way to the CPU, which nobody waits for: a page may not, since nothing comes while it does.
+///
+/// ```no_run
+/// # fn look(device: &wgpu::Device, queue: &wgpu::Queue, shadows: &umbrage::Shadows) -> Result<(), umbrage::ShadowError> {
+/// let mut encoder = device.create_command_encoder(&Default::default());
+/// let coming = shadows.copy_maps(device, &mut encoder)?;
+/// queue.submit([encoder.finish()]);
+/// // In each frame from then on, until they have come:
+/// if let Some(maps) = coming.take() {
+///     println!("{} depths", maps?.depths.len());
+/// }
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct ComingMaps {
+    coming: Coming,
+    layout: MapLayout,
+}
+
+impl ComingMaps {
+    /// Returns the texels once, when they have come; `None` before that and after it.
+    ///
+    /// # Errors
+    /// When the device is lost, or the commands were dropped that the copy was recorded among.
+    pub fn take(&self) -> Option<Result<MapTexels, ShadowError>> {
+        let read =
+            self.coming.read(|bytes| MapTexels { layout: self.layout, depths: depths(bytes, self.layout) });
+        read.map(|read| read.map_err(ShadowError::ReadBack))
+    }
+}
+
+/// The bytes from one row of a copy to the next.
+fn stride(layout: MapLayout) -> u32 {
+    (layout.width * layout.depth.bytes() as u32).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+}
+
+/// The depths of a copy.
+fn depths(bytes: &[u8], layout: MapLayout) -> Vec<f32> {
+    let row = |row: &[u8]| -> Vec<f32> {
+        let row = &row[..layout.width as usize * layout.depth.bytes() as usize];
+        match layout.depth {
+            DepthFormat::F32 => bytemuck::pod_collect_to_vec(row),
+            DepthFormat::U16 => {
+                let steps: Vec<u16> = bytemuck::pod_collect_to_vec(row);
+                steps.into_iter().map(|step| f32::from(step) / 65535.0).collect()
+            }
+        }
+    };
+    bytes.chunks_exact(stride(layout) as usize).flat_map(row).collect()
 }

@@ -5,12 +5,18 @@ use std::cell::Cell;
 /// A device that counts what it makes.
 pub(crate) struct Objects<'a> {
     pub device: &'a wgpu::Device,
+    /// Where pipelines are looked up before they are compiled.
+    cache: Option<&'a wgpu::PipelineCache>,
     made: Cell<u32>,
 }
 
 impl<'a> Objects<'a> {
     pub fn new(device: &'a wgpu::Device) -> Self {
-        Self { device, made: Cell::new(0) }
+        Self::with_cache(device, None)
+    }
+
+    pub fn with_cache(device: &'a wgpu::Device, cache: Option<&'a wgpu::PipelineCache>) -> Self {
+        Self { device, cache, made: Cell::new(0) }
     }
 
     /// How many objects were made.
@@ -62,14 +68,13 @@ impl<'a> Objects<'a> {
         }))
     }
 
-    pub fn render_pipeline(&self, descriptor: &wgpu::RenderPipelineDescriptor<'_>) -> wgpu::RenderPipeline {
-        self.count(self.device.create_render_pipeline(descriptor))
+    pub fn render_pipeline(&self, descriptor: wgpu::RenderPipelineDescriptor<'_>) -> wgpu::RenderPipeline {
+        let descriptor = wgpu::RenderPipelineDescriptor { cache: self.cache, ..descriptor };
+        self.count(self.device.create_render_pipeline(&descriptor))
     }
 
-    pub fn compute_pipeline(
-        &self,
-        descriptor: &wgpu::ComputePipelineDescriptor<'_>,
-    ) -> wgpu::ComputePipeline {
-        self.count(self.device.create_compute_pipeline(descriptor))
+    pub fn compute_pipeline(&self, descriptor: wgpu::ComputePipelineDescriptor<'_>) -> wgpu::ComputePipeline {
+        let descriptor = wgpu::ComputePipelineDescriptor { cache: self.cache, ..descriptor };
+        self.count(self.device.create_compute_pipeline(&descriptor))
     }
 }

@@ -15,7 +15,7 @@ use crate::layers::Layers;
 use crate::maps::{Maps, clear_pipeline};
 use crate::objects::Objects;
 use crate::occluders::Occluders;
-use crate::receivers::{ReceiverLayout, Samplers, SamplersKind};
+use crate::receivers::{Bound, ReceiverLayout, Samplers, SamplersKind};
 use crate::samples::Samples;
 use crate::still_maps::StillMaps;
 
@@ -114,7 +114,9 @@ impl Parts {
                 && texture(&old.filtered) == texture(&filtered)
         });
         let receiver_group = kept(same_group.map(|old| &old.receiver_group), || {
-            receiver_layout.group(objects, &buffers, &maps, filtered.as_ref(), &samplers, occluders)
+            let filtered = filtered.as_ref();
+            let bound = Bound { buffers: &buffers, maps: &maps, filtered, samplers: &samplers, occluders };
+            receiver_layout.group(objects, bound)
         });
         let key = key.clone();
         Self {
@@ -133,6 +135,13 @@ impl Parts {
             receiver_layout,
             receiver_group,
         }
+    }
+
+    /// What receivers bind, for a group in which it begins with this number.
+    pub fn receiver_entries(&self, first: u32) -> Vec<wgpu::BindGroupEntry<'_>> {
+        let Self { buffers, maps, samplers, .. } = self;
+        let (filtered, occluders) = (self.filtered.as_ref(), self.occluders.as_ref());
+        self.receiver_layout.entries(Bound { buffers, maps, filtered, samplers, occluders }, first)
     }
 
     /// Whether something must be drawn anew where these stand instead of others.

@@ -17,6 +17,16 @@ pub(crate) struct ReceiverLayout {
     pub layout: wgpu::BindGroupLayout,
 }
 
+/// All that receivers may bind.
+#[derive(Clone, Copy)]
+pub(crate) struct Bound<'a> {
+    pub buffers: &'a FrameBuffers,
+    pub maps: &'a Maps,
+    pub filtered: Option<&'a Filtered>,
+    pub samplers: &'a Samplers,
+    pub occluders: Option<&'a Occluders>,
+}
+
 impl ReceiverLayout {
     pub fn new(objects: &Objects<'_>, bindings: Vec<Binding>) -> Self {
         let layout = bindings::group_layout(objects, "Shadows::receiver_layout", &bindings);
@@ -24,17 +34,29 @@ impl ReceiverLayout {
     }
 
     /// The group that binds these.
-    pub fn group(
-        &self,
-        objects: &Objects<'_>,
-        buffers: &FrameBuffers,
-        maps: &Maps,
-        filtered: Option<&Filtered>,
-        samplers: &Samplers,
-        occluders: Option<&Occluders>,
-    ) -> wgpu::BindGroup {
-        let filtered = filtered.map_or(&maps.all, |filtered| &filtered.textures().all);
-        let resource = |binding: &Binding| match (binding.kind, binding.binding) {
+    pub fn group(&self, objects: &Objects<'_>, bound: Bound<'_>) -> wgpu::BindGroup {
+        objects.group(&wgpu::BindGroupDescriptor {
+            label: Some("Shadows::receiver_group"),
+            layout: &self.layout,
+            entries: &self.entries(bound, 0),
+        })
+    }
+
+    /// The entries of a group that binds these, with number `first` in place of 0.
+    pub fn entries<'a>(&self, bound: Bound<'a>, first: u32) -> Vec<wgpu::BindGroupEntry<'a>> {
+        let entry = |binding: &Binding| wgpu::BindGroupEntry {
+            binding: first + binding.binding,
+            resource: bound.resource(binding),
+        };
+        self.bindings.iter().map(entry).collect()
+    }
+}
+
+impl<'a> Bound<'a> {
+    /// What a binding binds.
+    fn resource(self, binding: &Binding) -> wgpu::BindingResource<'a> {
+        let Self { buffers, maps, filtered, samplers, occluders } = self;
+        match (binding.kind, binding.binding) {
             (BindingKind::Sampler(SamplerKind::Comparison), _) => {
                 wgpu::BindingResource::Sampler(&samplers.comparison)
             }
@@ -46,15 +68,14 @@ impl ReceiverLayout {
             }
             (BindingKind::Texture { .. }, 1) => wgpu::BindingResource::TextureView(&maps.all),
             (BindingKind::Texture { .. } | BindingKind::StorageTexture { .. }, _) => {
+                let filtered = filtered.map_or(&maps.all, |filtered| &filtered.textures().all);
                 wgpu::BindingResource::TextureView(filtered)
             }
             (BindingKind::Storage | BindingKind::WrittenStorage | BindingKind::Uniform { .. }, number) => {
                 let occluders = occluders.and_then(|occluders| occluders.buffer(number));
                 occluders.unwrap_or(&buffers.frame).as_entire_binding()
             }
-        };
-        let resources = self.bindings.iter().map(|binding| (binding.binding, resource(binding)));
-        bindings::group_at(objects, "Shadows::receiver_group", &self.layout, resources)
+        }
     }
 }
 

@@ -125,7 +125,7 @@ fn pipeline(objects: &Objects<'_>) -> (wgpu::ComputePipeline, wgpu::BindGroupLay
         bind_group_layouts: &[Some(&layout)],
         immediate_size: 0,
     });
-    let pipeline = objects.compute_pipeline(&wgpu::ComputePipelineDescriptor {
+    let pipeline = objects.compute_pipeline(wgpu::ComputePipelineDescriptor {
         label: Some("RefitPass::pipeline"),
         layout: Some(&pipeline_layout),
         module: &module,

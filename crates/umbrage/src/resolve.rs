@@ -45,7 +45,7 @@ impl Resolve {
         if device.limits().max_storage_buffers_per_shader_stage < STORAGE_BUFFERS {
             return None;
         }
-        let objects = Objects::new(device);
+        let objects = Objects::with_cache(device, shadows.pipeline_cache());
         let layout = bindings::group_layout(&objects, "Resolve::layout", &resolve_bindings());
         let left_layout = bindings::group_layout(&objects, "Resolve::left_layout", &left_bindings());
         let pipeline = |text: &str, entry_point, layouts: &[Option<&wgpu::BindGroupLayout>]| {
@@ -55,7 +55,7 @@ impl Resolve {
                 bind_group_layouts: layouts,
                 immediate_size: 0,
             });
-            objects.compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            objects.compute_pipeline(wgpu::ComputePipelineDescriptor {
                 label: Some("Resolve::pipeline"),
                 layout: Some(&layout),
                 module: &module,

@@ -58,7 +58,7 @@ impl Samples {
             immediate_size: 0,
         });
         let pipeline = |entry_point| {
-            objects.compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            objects.compute_pipeline(wgpu::ComputePipelineDescriptor {
                 label: Some("Samples::pipeline"),
                 layout: Some(&pipeline_layout),
                 module: &module,

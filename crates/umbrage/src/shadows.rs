@@ -31,6 +31,8 @@ pub use looking::SeenDepth;
 pub struct Shadows {
     settings: Settings,
     capabilities: Capabilities,
+    /// Where pipelines are looked up before they are compiled.
+    cache: Option<wgpu::PipelineCache>,
     key: ShaderKey,
     /// What rays go through.
     occluders: Option<Occluders>,
@@ -53,7 +55,43 @@ impl Shadows {
     ///
     /// # Errors
     /// When a setting is out of range, the device does not support what a setting asks for, or the maps exceed its limits.
-    pub fn new(device: &wgpu::Device, mut settings: Settings) -> Result<Self, ShadowError> {
+    pub fn new(device: &wgpu::Device, settings: Settings) -> Result<Self, ShadowError> {
+        Self::with_pipeline_cache(device, settings, None)
+    }
+
+    /// Makes the same with a cache of compiled pipelines, which all pipelines of these shadows are looked up in: now, when settings
+    /// change, and those for the host's casters.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    /// # let adapter = pollster::block_on(instance.request_adapter(&Default::default()))?;
+    /// use umbrage::{Filter, Settings, Shadows};
+    ///
+    /// let required_features = adapter.features() & wgpu::Features::PIPELINE_CACHE;
+    /// let descriptor = wgpu::DeviceDescriptor { required_features, ..Default::default() };
+    /// let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))?;
+    /// let stored: Option<Vec<u8>> = None; // what `get_data` gave the last time the program ran
+    /// let cache = required_features.contains(wgpu::Features::PIPELINE_CACHE).then(|| {
+    ///     let descriptor = wgpu::PipelineCacheDescriptor { label: None, data: stored.as_deref(), fallback: true };
+    ///     // SAFETY: the data is what a cache of this device has given, or none.
+    ///     unsafe { device.create_pipeline_cache(&descriptor) }
+    /// });
+    /// let settings = Settings { filter: Filter::Vsm(Default::default()), ..Settings::default() };
+    /// # let before = cache.as_ref().and_then(wgpu::PipelineCache::get_data).map_or(0, |data| data.len());
+    /// let shadows = Shadows::with_pipeline_cache(&device, settings, cache.as_ref())?;
+    /// let to_store: Option<Vec<u8>> = cache.as_ref().and_then(wgpu::PipelineCache::get_data);
+    /// # assert!(cache.is_none() || to_store.is_some_and(|data| data.len() > before + 1000), "pipelines came into the cache");
+    /// # Ok(()) }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn with_pipeline_cache(
+        device: &wgpu::Device,
+        mut settings: Settings,
+        cache: Option<&wgpu::PipelineCache>,
+    ) -> Result<Self, ShadowError> {
         let capabilities = Capabilities::of(device);
         check(&settings, capabilities)?;
         settings.unclipped_depth &= capabilities.unclipped_depth;
@@ -62,10 +100,11 @@ impl Shadows {
         let key = ShaderKey::new(&settings, capabilities.textures());
         let wanted =
             Wanted { settings: &settings, key: &key, allocation: &allocation, capabilities, occluders: None };
-        let parts = Parts::new(&Objects::new(device), wanted, None);
+        let parts = Parts::new(&Objects::with_cache(device, cache), wanted, None);
         Ok(Self {
             settings,
             capabilities,
+            cache: cache.cloned(),
             key,
             occluders: None,
             lights: Vec::new(),
@@ -152,7 +191,7 @@ impl Shadows {
             capabilities,
             occluders: occluders_bound,
         };
-        let objects = Objects::new(device);
+        let objects = Objects::with_cache(device, self.cache.as_ref());
         let parts = Parts::new(&objects, wanted, Some(&self.parts));
         let changed = Changed {
             maps: parts.has_other_maps(&self.parts),

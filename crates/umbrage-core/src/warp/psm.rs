@@ -82,9 +82,10 @@ fn post_perspective(camera: &Camera, slide: f64, depths: &Range<f64>) -> DMat4 {
     let depth = row(-axis(view.z_axis)) + DVec4::W * slide;
     let near = depths.start + slide;
     let far = (depths.end + slide).max(near * 1.001);
+    let [x, y] = camera.centre().map(f64::from);
     let rows = [
-        row(axis(view.x_axis)) / half_width,
-        row(axis(view.y_axis)) / half_height,
+        row(axis(view.x_axis)) / half_width + depth * x,
+        row(axis(view.y_axis)) / half_height + depth * y,
         (depth - DVec4::W * near) * (far / (far - near)),
         depth,
     ];

@@ -1,8 +1,8 @@
 // What a map's bias has lost: whether something that the camera sees stands close before a receiver, seen from a light.
 // A march in world space toward the light, which looks into the camera's depth at every step. In front of it goes the
-// receiver's text. Depth is reversed, and read texel by texel: as floats, since GL loads no depth otherwise.
+// receiver's text. Depth is read texel by texel: as floats, since GL loads no depth otherwise. Of several samples it is the first.
 
-import constants::{UMBRAGE_CONTACT_LENGTH, UMBRAGE_CONTACT_STEPS, UMBRAGE_CONTACT_THICKNESS};
+import constants::{UMBRAGE_CONTACT_FAR, UMBRAGE_CONTACT_LENGTH, UMBRAGE_CONTACT_STEPS, UMBRAGE_CONTACT_THICKNESS};
 import package::frame::umbrage_frame;
 import package::light::{umbrage_direction_to_light, umbrage_distance_to_light};
 import package::sampling::gradient_noise::umbrage_gradient_noise;
@@ -25,7 +25,8 @@ const UMBRAGE_CONTACT_BORDER: f32 = 0.05;
 
 /// The world-space point that the camera sees at the centre of a texel.
 fn umbrage_contact_seen(texel: vec2i, size: vec2f) -> vec3f {
-    let depth = textureLoad(umbrage_contact_depth, texel, 0).x;
+    // Reversed, as the camera's matrix is: what is stored far away, 0 or 1, becomes 0.
+    let depth = abs(textureLoad(umbrage_contact_depth, texel, 0).x - UMBRAGE_CONTACT_FAR);
     let ndc = ((vec2f(texel) + 0.5) / size * 2.0 - 1.0) * vec2f(1.0, -1.0);
     let world = umbrage_contact_camera.world_from_clip * vec4f(ndc, depth, 1.0);
     return world.xyz / world.w;

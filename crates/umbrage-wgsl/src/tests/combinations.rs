@@ -52,6 +52,7 @@ fn is_kind(kind: BindingKind, space: naga::AddressSpace, ty: &naga::TypeInner) -
             *comparison == (kind == SamplerKind::Comparison)
         }
         (BindingKind::Texture { sample, dimension }, TypeInner::Image { dim, arrayed, class }) => {
+            let is_multisampled = matches!(class, ImageClass::Sampled { multi: true, .. });
             let of = match class {
                 ImageClass::Depth { .. } => sample == SampleType::Depth,
                 ImageClass::Sampled { kind: ScalarKind::Uint, .. } => sample == SampleType::Uint,
@@ -60,7 +61,9 @@ fn is_kind(kind: BindingKind, space: naga::AddressSpace, ty: &naga::TypeInner) -
                 }
                 _ => false,
             };
-            of && *dim == ImageDimension::D2 && *arrayed == (dimension == Dimension::D2Array)
+            of && is_multisampled == (dimension == Dimension::D2Multisampled)
+                && *dim == ImageDimension::D2
+                && *arrayed == (dimension == Dimension::D2Array)
         }
         (BindingKind::StorageTexture { format }, TypeInner::Image { class, .. }) => {
             let wanted = format!("{format:?}");
@@ -167,7 +170,9 @@ fn traced(filter: Filter) -> Vec<(String, ShaderKey)> {
 #[test]
 fn every_combination_of_modules_is_valid_wgsl_and_binds_what_it_says() {
     for (what, key) in keys() {
-        binds(&what, &receiver(&key, 3), 3, &receiver_bindings(&key), true);
+        let behind = |binding: Binding| Binding { binding: binding.binding + 7, ..binding };
+        let bindings: Vec<_> = receiver_bindings(&key).into_iter().map(behind).collect();
+        binds(&what, &receiver(&key, Slot { group: 3, first_binding: 7 }), 3, &bindings, true);
     }
 }
 
@@ -227,7 +232,11 @@ fn the_march_is_valid_wgsl_from_its_shortest_to_its_longest() {
         Contact { length: 1e-30, steps: 1, thickness: 1e-30 },
         Contact { length: 100.0, steps: Contact::MAX_STEPS, thickness: 100.0 },
     ] {
-        binds(&format!("{of:?}"), &(receiver.clone() + &contact(&of, 3)), 3, &contact_bindings(), true);
+        for (forward, multisampled) in [(false, false), (true, false), (false, true), (true, true)] {
+            let depth = ContactDepth { forward, multisampled };
+            let text = receiver.clone() + &contact_in(&of, depth, 3);
+            binds(&format!("{of:?} {depth:?}"), &text, 3, &contact_bindings_in(depth), true);
+        }
     }
 }
 

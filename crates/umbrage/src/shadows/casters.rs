@@ -1,10 +1,11 @@
 //! What a host needs for pipelines that draw casters: made for it, or to agree with.
 
 use umbrage_core::CasterKey;
+use umbrage_wgsl::{caster_bindings, peel_bindings};
 
 use super::Shadows;
 use crate::caster_pipeline::CasterPipeline;
-use crate::caster_state::CasterState;
+use crate::caster_state::{Bound, CasterState};
 
 impl Shadows {
     /// Makes a depth-only pipeline for the host's vertices and fragments, with the settings' raster bias and faces.
@@ -13,7 +14,7 @@ impl Shadows {
         device: &wgpu::Device,
         pipeline: &CasterPipeline<'_>,
     ) -> wgpu::RenderPipeline {
-        pipeline.make(device, self.caster_state())
+        self.cached_by(pipeline).make(device, self.caster_state())
     }
 
     /// Makes the same for views whose [`ShadowView::unclipped_depth`](umbrage_core::ShadowView::unclipped_depth) is off, where
@@ -24,7 +25,7 @@ impl Shadows {
         device: &wgpu::Device,
         pipeline: &CasterPipeline<'_>,
     ) -> Option<wgpu::RenderPipeline> {
-        Some(pipeline.make(device, self.clipping_caster_state()?))
+        Some(self.cached_by(pipeline).make(device, self.clipping_caster_state()?))
     }
 
     /// Makes the same for [`Self::cast_second`] and [`Self::begin_second`]; `None` where there is no second surface. A fragment
@@ -34,7 +35,7 @@ impl Shadows {
         device: &wgpu::Device,
         pipeline: &CasterPipeline<'_>,
     ) -> Option<wgpu::RenderPipeline> {
-        Some(pipeline.make_second(device, self.second_caster_state()?))
+        Some(self.cached_by(pipeline).make_second(device, self.second_caster_state()?))
     }
 
     /// Makes the same for [`Self::cast_second`] and [`Self::begin_second`] on views where [`Self::clipping_caster_pipeline`] draws the
@@ -44,7 +45,7 @@ impl Shadows {
         device: &wgpu::Device,
         pipeline: &CasterPipeline<'_>,
     ) -> Option<wgpu::RenderPipeline> {
-        Some(pipeline.make_second(device, self.clipping_second_caster_state()?))
+        Some(self.cached_by(pipeline).make_second(device, self.clipping_second_caster_state()?))
     }
 
     /// Returns what a pipeline agrees with that the host builds itself, instead of [`Self::caster_pipeline`].
@@ -68,6 +69,11 @@ impl Shadows {
         self.clipping_key().and_then(|key| self.second(key))
     }
 
+    /// A pipeline that is looked up in its own cache, or else in that of these shadows.
+    fn cached_by<'a>(&'a self, pipeline: &CasterPipeline<'a>) -> CasterPipeline<'a> {
+        CasterPipeline { cache: pipeline.cache.or(self.cache.as_ref()), ..pipeline.clone() }
+    }
+
     /// The key of pipelines that clip what the others flatten.
     fn clipping_key(&self) -> Option<CasterKey> {
         let key = self.settings.caster_key();
@@ -75,11 +81,16 @@ impl Shadows {
     }
 
     fn first(&self, key: CasterKey) -> CasterState<'_> {
-        CasterState::new(key, &self.parts.caster_layout, &self.parts.buffers.caster_group)
+        let buffers = &self.parts.buffers;
+        let bound = Bound { bindings: caster_bindings(), resources: buffers.bound().into() };
+        CasterState::new(key, (&self.parts.caster_layout, &buffers.caster_group), bound)
     }
 
     fn second(&self, key: CasterKey) -> Option<CasterState<'_>> {
         let layers = self.parts.layers.as_ref()?;
-        Some(CasterState::new(key, &layers.peel_layout, &layers.peel_group))
+        let first = wgpu::BindingResource::TextureView(&layers.first.all);
+        let resources = self.parts.buffers.bound().into_iter().chain([first]).collect();
+        let bound = Bound { bindings: peel_bindings(), resources };
+        Some(CasterState::new(key, (&layers.peel_layout, &layers.peel_group), bound))
     }
 }

@@ -76,7 +76,7 @@ impl Shadows {
         if self.parts.still.is_some() || self.parts.layers.is_some() {
             return 0;
         }
-        let objects = Objects::new(device);
+        let objects = Objects::with_cache(device, self.cache.as_ref());
         let (buffers, maps) = (&self.parts.buffers, &self.parts.maps);
         self.parts.still = Some(StillMaps::new(&objects, buffers, maps, self.capabilities));
         objects.made()

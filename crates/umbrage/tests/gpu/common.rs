@@ -308,6 +308,17 @@ impl Drawn {
     }
 
     fn ask(&self, source: &str, questions: &[u8], count: usize) -> Vec<f32> {
+        self.ask_with(source, questions, count, &[])
+    }
+
+    /// What a compute shader `main` says: questions and answers are group 0, the shadows' bindings group 1, and others follow.
+    pub fn ask_with(
+        &self,
+        source: &str,
+        questions: &[u8],
+        count: usize,
+        others: &[(&wgpu::BindGroupLayout, &wgpu::BindGroup)],
+    ) -> Vec<f32> {
         let Self { device, queue, shadows, .. } = self;
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let questions = buffer(device, queue, questions, storage);
@@ -332,7 +343,11 @@ impl Drawn {
         });
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
-            bind_group_layouts: &[Some(&group_layout), Some(shadows.bind_group_layout())],
+            bind_group_layouts: &[&group_layout, shadows.bind_group_layout()]
+                .into_iter()
+                .chain(others.iter().map(|(layout, _)| *layout))
+                .map(Some)
+                .collect::<Vec<_>>(),
             immediate_size: 0,
         });
         let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -363,6 +378,7 @@ impl Drawn {
             pass.set_pipeline(&pipeline);
             pass.set_bind_group(0, &group, &[]);
             pass.set_bind_group(1, shadows.bind_group(), &[]);
+            (2..).zip(others).for_each(|(i, (_, group))| pass.set_bind_group(i, *group, &[]));
             pass.dispatch_workgroups((count as u32).div_ceil(64), 1, 1);
         }
         encoder.copy_buffer_to_buffer(&answers, 0, &back, 0, count as u64 * 4);
