@@ -127,6 +127,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "umbrage-rivals",
             "umbrage-viewer",
             "clap",
+            "clap_complete",
+            "clap_mangen",
             "anyhow",
             "base64",
             "indicatif",

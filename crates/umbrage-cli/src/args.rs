@@ -6,18 +6,22 @@ mod parse;
 mod print;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
 use umbrage_render::Exposure;
+use umbrage_scene::Scene;
 
 pub use draw::{DemoArgs, RenderArgs, SheetArgs, ViewArgs};
 pub use measure::{BaselineArg, BenchArgs, MeasureArgs, MotionArg, ReportArgs, TruthArg};
-pub use print::{PlanArgs, PresetsArgs, SettingsArgs, WgslArgs, WorldsArgs, WorldsCommand};
+pub use print::{
+    CompletionsArgs, ManArgs, PlanArgs, PresetsArgs, SettingsArgs, WgslArgs, WorldsArgs, WorldsCommand,
+};
 
 /// Real-time shadows for large worlds: draw them, plan them, compare them, time them.
 #[derive(Debug, Parser)]
-#[command(name = "umbrage", version, propagate_version = true)]
+#[command(name = "umbrage", version = umbrage_lab::VERSION, propagate_version = true)]
 pub struct Cli {
     #[command(subcommand)]
     pub command: Command,
@@ -56,6 +60,12 @@ pub enum Command {
     Adapters,
     /// Lists the named settings, or prints one as TOML
     Presets(PresetsArgs),
+    /// Prints what lets a shell complete the words of this command
+    ///
+    /// For bash, into a file that it reads: umbrage completions bash > ~/.local/share/bash-completion/completions/umbrage
+    Completions(CompletionsArgs),
+    /// Prints the manual's page of this command, or writes the pages of all its commands into a folder
+    Man(ManArgs),
 }
 
 /// From where.
@@ -133,6 +143,9 @@ pub struct WorldArgs {
     /// What a built-in world is grown from
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// The world itself, where another program has it in hand and `world` is only what it is called
+    #[arg(skip)]
+    pub scene: Option<Arc<Scene>>,
 }
 
 /// These arguments say how shadows are made: a preset comes first, a file goes over it, and single keys go over that.

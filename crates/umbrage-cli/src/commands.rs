@@ -2,12 +2,14 @@
 
 mod adapters;
 mod bench;
+mod completions;
 mod demo;
-mod measure;
-mod plan;
+mod man;
+pub mod measure;
+pub mod plan;
 mod presets;
 mod render;
-mod report;
+pub mod report;
 mod settings;
 mod sheet;
 #[cfg(feature = "window")]
@@ -15,8 +17,8 @@ mod view;
 #[cfg(not(feature = "window"))]
 #[path = "commands/no_view.rs"]
 mod view;
-mod wgsl;
-mod worlds;
+pub mod wgsl;
+pub mod worlds;
 
 use crate::args::Command;
 use crate::failure::Outcome;
@@ -37,5 +39,7 @@ pub fn run(command: Command) -> Outcome {
         Command::Worlds(args) => worlds::run(&args),
         Command::Adapters => adapters::run(),
         Command::Presets(args) => presets::run(&args),
+        Command::Completions(args) => completions::run(&args),
+        Command::Man(args) => man::run(&args),
     }
 }

@@ -21,16 +21,29 @@ pub fn write_png(
     Ok(write(path, &bytes)?)
 }
 
+/// A value as JSON, with a line's end behind it.
+pub fn json(value: &impl Serialize) -> anyhow::Result<String> {
+    Ok(serde_json::to_string_pretty(value)? + "\n")
+}
+
 /// Writes JSON to a file, or to stdout where the path is `-`.
 pub fn write_json(path: &Path, value: &impl Serialize) -> anyhow::Result<()> {
-    let mut text = serde_json::to_string_pretty(value)?;
-    text.push('\n');
-    if path.as_os_str() == "-" { print(&text) } else { Ok(write(path, text.as_bytes())?) }
+    write_text(path, &json(value)?)
+}
+
+/// Writes a text to a file, or to stdout where the path is `-`.
+pub fn write_text(path: &Path, text: &str) -> anyhow::Result<()> {
+    if path.as_os_str() == "-" { print(text) } else { Ok(write(path, text.as_bytes())?) }
 }
 
 /// Prints to stdout. A reader that has gone away is no failure.
 pub fn print(text: &str) -> anyhow::Result<()> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
+    print_bytes(text.as_bytes())
+}
+
+/// Prints as [`print`] does what is text, and comes as bytes.
+pub fn print_bytes(text: &[u8]) -> anyhow::Result<()> {
+    match std::io::stdout().lock().write_all(text) {
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
         result => result.context("cannot write to stdout"),
     }

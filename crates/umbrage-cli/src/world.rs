@@ -23,7 +23,10 @@ pub fn load(name: &str, seed: u64) -> Outcome<Scene> {
 
 /// The world that the command line names, in which casts shadows what it wants to.
 pub fn open(args: &WorldArgs) -> Outcome<Scene> {
-    let mut scene = load(&args.world, args.seed)?;
+    let mut scene = match &args.scene {
+        Some(scene) => Scene::clone(scene),
+        None => load(&args.world, args.seed)?,
+    };
     let_cast(&mut scene, &args.casting)?;
     play(&mut scene, &args.when)?;
     Ok(scene)

@@ -5,6 +5,7 @@ mod common;
 mod refusals;
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use common::{stdout, text, umbrage};
 use refusals::{folder, refused};
@@ -12,6 +13,24 @@ use serde_json::Value;
 
 fn json(args: &[&str]) -> Value {
     serde_json::from_str(&stdout(args)).expect("JSON")
+}
+
+#[test]
+fn the_version_names_the_commit_where_there_is_a_repository() {
+    let printed = stdout(&["--version"]);
+    let head = ["rev-parse --short=10 HEAD", "show --no-patch --format=%cs HEAD"].map(|words| {
+        let output = Command::new("git").args(words.split(' ')).output().ok()?;
+        let text = String::from_utf8(output.stdout).ok()?;
+        output.status.success().then(|| text.trim().to_owned())
+    });
+    let version = concat!("umbrage ", env!("CARGO_PKG_VERSION"));
+    match head {
+        [Some(commit), Some(day)] => {
+            let exact = format!("{version} ({commit}, {day})\n");
+            assert_eq!(printed.replace(", changed)", ")"), exact);
+        }
+        _ => assert_eq!(printed, format!("{version}\n")),
+    }
 }
 
 #[test]

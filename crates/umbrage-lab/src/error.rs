@@ -1,11 +1,12 @@
 //! Why there is no result.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use umbrage_render::RenderError;
 use umbrage_rivals::RivalError;
 use umbrage_scene::SceneError;
 
+use crate::merge::MergeError;
 use crate::settings::WrongSettings;
 
 /// An error between an experiment and its page.
@@ -79,6 +80,24 @@ pub enum LabError {
     /// A plot cannot be drawn.
     #[error("a plot cannot be drawn: {0}")]
     Plot(String),
+    /// Stores do not make an experiment whole.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    /// Whoever asked for runs asked to stop.
+    #[error("stopped after {done} of {of} runs, which are kept")]
+    Stopped {
+        /// The number of runs that are done.
+        done: usize,
+        /// The number of all runs.
+        of: usize,
+    },
+}
+
+impl LabError {
+    /// The error of a file that cannot be read.
+    pub(crate) fn cannot_read(path: &Path, source: std::io::Error) -> Self {
+        Self::File { action: "read", path: path.to_owned(), source }
+    }
 }
 
 fn worlds() -> String {

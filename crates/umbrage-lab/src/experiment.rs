@@ -187,8 +187,7 @@ impl Experiment {
         path: &Path,
         cameras: impl FnMut(&str, u64) -> Result<Vec<String>, LabError>,
     ) -> Result<Self, LabError> {
-        let failed = |source| LabError::File { action: "read", path: path.to_owned(), source };
-        let text = std::fs::read_to_string(path).map_err(failed)?;
+        let text = std::fs::read_to_string(path).map_err(|why| LabError::cannot_read(path, why))?;
         let source = Source::new(path, &text)?;
         let experiment = source.experiment()?;
         check::check(&source, &experiment, cameras)?;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use umbrage::{Exact, Settings, ShadowPlan};
-use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, World};
+use umbrage_judge::{Compared, DepthBand, Deviation, Error, Part, Pixel, Smooth, World};
 use umbrage_render::{Frame, Gpu, Picture, Rendered, Renderer, Show};
 use umbrage_rivals::Family;
 use umbrage_scene::{Pose, Scene};
@@ -29,6 +29,8 @@ pub struct Judged {
     pub measurement: Measurement,
     /// The visibility of every pixel, 0 to 1, one list for each light.
     pub visibility: Vec<Vec<f32>>,
+    /// The true visibility of every pixel, 0 to 1, one list for each light; NaN where it is not judged.
+    pub truth: Vec<Vec<f32>>,
     /// The shaded picture, with one sample a pixel.
     pub shaded: Picture,
     /// The picture with true shadows. Pixels that are not judged are as in `shaded`.
@@ -129,6 +131,7 @@ impl<'a> Laboratory<'a> {
 
         let by_light =
             Judgement::by_light(&world, (&plan, settings), &traced, smooth.as_deref(), &visibility);
+        let truth = true_visibility(&traced, smooth.as_deref());
         let true_picture = self.true_picture(&shot.frame(Show::World)?, &traced, &visibility, &shaded)?;
         let figures = self.measured(shot, settings, technique.as_deref(), &by_light, &timed);
         let flip = flip(&true_picture, &shaded).filter(|_| figures.error.is_some());
@@ -136,7 +139,7 @@ impl<'a> Laboratory<'a> {
             rays.map(|rays| f64::from(rays) / (f64::from(shot.width) * f64::from(shot.height)));
         let measurement = Measurement { flip, rays_a_pixel, ..figures };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };
-        Ok(Judged { measurement, visibility, shaded, true_picture, heat_map, plan, tracing })
+        Ok(Judged { measurement, visibility, truth, shaded, true_picture, heat_map, plan, tracing })
     }
 
     /// Draws a picture with its shadows, and says what visibility they have.
@@ -331,6 +334,20 @@ impl<'a> Laboratory<'a> {
     pub(crate) fn keep_family(&mut self, family: Family, ready: OfFamily) {
         self.families.push((family, ready));
     }
+}
+
+/// The true visibility of every pixel, light by light: that between lit and shadowed where there is one.
+fn true_visibility(traced: &[Traced], smooth: Option<&Vec<Smooth>>) -> Vec<Vec<f32>> {
+    let of_light = |(light, traced): (usize, &Traced)| {
+        let smooth = smooth.and_then(|smooth| smooth.get(light));
+        let of_pixel = |(i, pixel): (usize, &Pixel)| match (pixel.visibility(), smooth) {
+            (None, _) => f32::NAN,
+            (Some(hard), None) => hard,
+            (Some(_), Some(smooth)) => smooth.visibility[i],
+        };
+        traced.truth.pixels.iter().enumerate().map(of_pixel).collect()
+    };
+    traced.iter().enumerate().map(of_light).collect()
 }
 
 /// How deep shadows reach, metres.

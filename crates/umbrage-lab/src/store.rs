@@ -14,12 +14,13 @@ use serde::ser::Error as _;
 use serde::{Deserialize, Serialize};
 
 use crate::files::{self, hash, make_folder};
-use crate::{LabError, Machine, Measurement, Outcome, Pictures, Run};
+use crate::{LabError, Machine, Measurement, Outcome, Pictures, Program, Run};
 
-/// A store is a folder of outcomes that are kept.
+/// A store is a folder of outcomes that are kept, and who makes them.
 #[derive(Clone, Debug)]
 pub struct Store {
     runs: PathBuf,
+    program: Program,
 }
 
 /// What a result's file holds.
@@ -39,23 +40,38 @@ struct PictureHashes {
 }
 
 impl Store {
-    /// Opens the store in a folder, which is made where it is not there.
+    /// Opens the store in a folder, which is made where it is not there. `program` is whoever measures.
     ///
     /// # Errors
     /// When the folder cannot be made or written to, so that this is known before anything is measured.
-    pub fn open(folder: &Path) -> Result<Self, LabError> {
+    pub fn open(folder: &Path, program: &Program) -> Result<Self, LabError> {
         make_folder(folder)?;
-        let runs = folder.join("runs");
-        files::check_writable(if runs.exists() { &runs } else { folder })?;
-        Ok(Self { runs })
+        let store = Self::at(folder, program);
+        files::check_writable(if store.runs.exists() { &store.runs } else { folder })?;
+        Ok(store)
+    }
+
+    /// The store in a folder that is only read from.
+    pub(crate) fn at(folder: &Path, program: &Program) -> Self {
+        Self { runs: folder.join("runs"), program: program.clone() }
+    }
+
+    /// Returns whoever measures.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// Lists the runs that have an outcome here, whoever made it, without a look at their pictures.
+    pub(crate) fn runs(&self) -> Vec<Run> {
+        let files = fs::read_dir(&self.runs).into_iter().flatten().flatten().map(|file| file.path());
+        let results = files.filter(|path| path.extension().is_some_and(|extension| extension == "json"));
+        results.filter_map(|path| Some(read(&path)?.run)).collect()
     }
 
     /// Returns the outcome of a run; `None` where there is none, or it is not as it was when it was put there.
     pub fn get(&self, run: &Run) -> Option<Outcome> {
         let key = key(run).ok()?;
-        let text = fs::read_to_string(self.path(&key, "json")).ok()?;
-        let Stored { run: stored, machine, measurement, pictures } =
-            serde_json::from_str(opened(&text)?).ok()?;
+        let Stored { run: stored, machine, measurement, pictures } = read(&self.path(&key, "json"))?;
         if stored != *run {
             return None;
         }
@@ -108,6 +124,11 @@ impl Store {
     fn path(&self, key: &str, extension: &str) -> PathBuf {
         self.runs.join(format!("{key}.{extension}"))
     }
+}
+
+/// What a result's file holds; `None` where it is not as it was when it was put there.
+fn read(path: &Path) -> Option<Stored> {
+    serde_json::from_str(opened(&fs::read_to_string(path).ok()?)?).ok()
 }
 
 /// The hash of all that a run holds. Fields are written in the order they are declared in, and there are no maps.

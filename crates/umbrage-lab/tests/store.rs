@@ -2,7 +2,7 @@
 
 use std::cell::Cell as Counter;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 use umbrage::Settings;
@@ -10,7 +10,7 @@ use umbrage_judge::statistics::Spread;
 use umbrage_judge::temporal::Flicker;
 use umbrage_judge::{Causes, DepthBand, Deviation, Error};
 use umbrage_lab::{
-    AreaLight, Entry, LabError, Machine, Measurement, Milliseconds, Motion, Outcome, Pictures, Run,
+    AreaLight, Entry, LabError, Machine, Measurement, Milliseconds, Motion, Outcome, Pictures, Program, Run,
     SmoothTruth, Store, TruthCounts, Watch,
 };
 
@@ -133,10 +133,14 @@ fn outcome(run: &Run) -> Outcome {
     }
 }
 
+fn open(folder: &Path) -> Result<Store, LabError> {
+    Store::open(folder, &Program::running().unwrap())
+}
+
 /// A folder with a store in it that holds the results of some runs.
 fn store_of(runs: &[Run]) -> (TempDir, Store) {
     let folder = tempfile::tempdir().unwrap();
-    let store = Store::open(&folder.path().join("a/b")).unwrap();
+    let store = open(&folder.path().join("a/b")).unwrap();
     for run in runs {
         store.put(run, &outcome(run)).unwrap();
     }
@@ -277,15 +281,15 @@ fn a_folder_that_cannot_be_written_is_known_before_anything_runs() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("file");
     fs::write(&file, b"").unwrap();
-    let error = Store::open(&file.join("below")).unwrap_err();
+    let error = open(&file.join("below")).unwrap_err();
     assert!(matches!(error, LabError::File { action: "write", .. }), "{error}");
     assert!(error.to_string().contains("below") && !error.to_string().contains('\n'), "{error}");
-    assert!(Store::open(&file).is_err(), "a file is no folder");
+    assert!(open(&file).is_err(), "a file is no folder");
     fs::write(folder.path().join("runs"), b"").unwrap();
-    assert!(Store::open(folder.path()).is_err(), "nor is it one of runs");
+    assert!(open(folder.path()).is_err(), "nor is it one of runs");
 
     let fresh = folder.path().join("fresh");
-    Store::open(&fresh).unwrap();
+    open(&fresh).unwrap();
     assert_eq!(fs::read_dir(&fresh).unwrap().count(), 0, "looking leaves nothing");
 }
 

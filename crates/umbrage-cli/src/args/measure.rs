@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::TypedValueParser as _;
 
+use umbrage_lab::Shard;
 use umbrage_rivals::Family;
 
 use super::parse::{family, sun_angle};
@@ -111,6 +112,12 @@ pub struct ReportArgs {
     /// The folder that the page goes to, and every result; results that are there are not made again
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
+    /// Measure one share of the runs, as 2/8 for the second of eight, and write no page: --merge makes it of all shares
+    #[arg(long, value_name = "I/N", conflicts_with = "merge")]
+    pub shard: Option<Shard>,
+    /// Measure nothing: take results out of these folders, which shards were written to, and make the page of them. Needs no GPU
+    #[arg(long, value_name = "DIR", num_args = 1..)]
+    pub merge: Vec<PathBuf>,
     #[command(flatten)]
     pub adapter: AdapterArgs,
 }

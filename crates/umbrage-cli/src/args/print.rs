@@ -1,8 +1,10 @@
-//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `wgsl`, `settings`, `worlds`, `presets`.
+//! The words of the commands that print what Umbrage knows, and need no GPU: `plan`, `wgsl`, `settings`, `worlds`, `presets`,
+//! `completions`, `man`.
 
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
+use clap_complete::Shell;
 
 use super::{ShadowArgs, TimeArgs, WorldArgs};
 use crate::stages::{Stage, Textures};
@@ -42,6 +44,9 @@ pub struct WorldsArgs {
     /// Print docs/worlds.md: each world with its picture, size, lights and cameras
     #[arg(long)]
     pub markdown: bool,
+    /// Write the list as JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE", conflicts_with = "markdown")]
+    pub json: Option<PathBuf>,
     #[command(subcommand)]
     pub command: Option<WorldsCommand>,
 }
@@ -86,4 +91,21 @@ pub struct SettingsArgs {
     /// Print docs/settings.md: every setting with its values, default, source, and what a change of it costs
     #[arg(long, conflicts_with = "name")]
     pub markdown: bool,
+    /// Write all settings as JSON to a file, or to stdout as `-`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["name", "markdown"])]
+    pub json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct CompletionsArgs {
+    /// Which shell
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// A folder for umbrage.1 and a page for each command, as umbrage-render.1
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }

@@ -32,10 +32,10 @@ struct Report<'a> {
     origin: [f64; 3],
     /// The mean of every figure over the jittered cameras, and how far from the true mean it may be.
     #[serde(skip_serializing_if = "Option::is_none")]
-    intervals: Option<BTreeMap<&'static str, Sure>>,
+    intervals: &'a Option<BTreeMap<&'static str, Sure>>,
     /// What is wrong with the shadows that another renderer drew.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pictures: Option<ForeignError>,
+    pictures: &'a Option<ForeignError>,
 }
 
 #[derive(Serialize)]
@@ -45,9 +45,25 @@ struct Sure {
     samples: Interval,
 }
 
+/// What came of measuring.
+pub struct Measured {
+    pub judged: Judged,
+    origin: [f64; 3],
+    intervals: Option<BTreeMap<&'static str, Sure>>,
+    pictures: Option<ForeignError>,
+}
+
 pub fn run(args: &MeasureArgs) -> Outcome {
-    let settings = settings::resolve(&args.shadows)?;
     check_outputs(args)?;
+    let measured = measure(args)?.of_some_pixels()?;
+    write_pictures(args, &measured.judged)?;
+    let text = if args.json.is_some() { measured.json()? } else { measured.text() };
+    Ok(output::write_text(args.json.as_deref().unwrap_or(Path::new("-")), &text)?)
+}
+
+/// Measures what is asked for.
+pub fn measure(args: &MeasureArgs) -> Outcome<Measured> {
+    let settings = settings::resolve(&args.shadows)?;
     let scene = world::open(&args.world)?;
     advice::warn(&scene, &settings);
     let shot = world::shot(&args.world, &scene, SIZE)?;
@@ -63,11 +79,6 @@ pub fn run(args: &MeasureArgs) -> Outcome {
     let mut judged = laboratory.judge(&shot, &settings, technique(&mut family), kind(args), args.frames)?;
     bar.inc(1);
     advice::warn_of_rays(laboratory.rays());
-    if judged.measurement.error.is_none() {
-        return Err(
-            anyhow::anyhow!("no pixels to judge: the camera sees nothing that a light could reach").into()
-        );
-    }
     let mut others = Vec::new();
     for repeat in 1..args.repeats {
         let moved = Shot { camera: jittered(&shot.camera, repeat), ..shot.clone() };
@@ -83,19 +94,30 @@ pub fn run(args: &MeasureArgs) -> Outcome {
         None => None,
     };
     bar.finish_and_clear();
-    write_pictures(args, &judged)?;
-    let measurement = &judged.measurement;
-    let intervals = (!others.is_empty()).then(|| intervals(measurement, &others));
-    match &args.json {
-        Some(path) => {
-            output::write_json(
-                path,
-                &Report { measurement, origin: scene.origin.to_array(), intervals, pictures },
-            )?;
+    let intervals = (!others.is_empty()).then(|| intervals(&judged.measurement, &others));
+    Ok(Measured { judged, origin: scene.origin.to_array(), intervals, pictures })
+}
+
+impl Measured {
+    /// The same, where there is anything to judge.
+    pub fn of_some_pixels(self) -> Outcome<Self> {
+        match self.judged.measurement.error {
+            Some(_) => Ok(self),
+            None => {
+                Err(anyhow::anyhow!("no pixels to judge: the camera sees nothing that a light could reach")
+                    .into())
+            }
         }
-        None => output::print(&(text(measurement, intervals.as_ref()) + &foreign_text(pictures.as_ref())))?,
     }
-    Ok(())
+
+    pub fn json(&self) -> anyhow::Result<String> {
+        let Self { judged, origin, intervals, pictures } = self;
+        output::json(&Report { measurement: &judged.measurement, origin: *origin, intervals, pictures })
+    }
+
+    fn text(&self) -> String {
+        text(&self.judged.measurement, self.intervals.as_ref()) + &foreign_text(self.pictures.as_ref())
+    }
 }
 
 /// A family made ready, with a bar for what takes long.

@@ -2,6 +2,7 @@
 
 use umbrage::{Light, LightKind, Projection, ShadowPlan, Warp};
 use umbrage_render::Show;
+use umbrage_scene::Scene;
 
 use crate::args::PlanArgs;
 use crate::failure::{Failure, Outcome};
@@ -10,27 +11,45 @@ use crate::stages::Stages;
 use crate::{output, settings, world};
 
 pub fn run(args: &PlanArgs) -> Outcome {
+    match &args.json {
+        Some(path) => Ok(output::write_text(path, &json(args)?)?),
+        None => {
+            let Planned { plan, .. } = planned(args)?;
+            Ok(output::print(&text(&plan, plan.settings().warp))?)
+        }
+    }
+}
+
+/// A plan, and what it is of.
+struct Planned {
+    scene: Scene,
+    picture: [u32; 2],
+    plan: ShadowPlan,
+}
+
+fn planned(args: &PlanArgs) -> Outcome<Planned> {
     let settings = settings::resolve(&args.shadows)?;
     let scene = world::open(&args.world)?;
     let frame = world::frame(&world::shot(&args.world, &scene, world::PICTURE)?, Show::World)?;
     let bounds = umbrage_render::bounds(&scene, &frame.pose);
     let lights: Vec<Light> = frame.lights.iter().map(|light| light.light).collect();
     let plan = umbrage::plan(&frame.camera, &lights, &bounds, &settings).map_err(Failure::usage)?;
-    match &args.json {
-        Some(path) => {
-            let about = About {
-                world: &scene.name,
-                triangles: scene.triangles(),
-                origin: scene.origin.to_array(),
-                storage_factor: storage_factor(&plan, settings.warp),
-                min_storage_factor: min_storage_factor(&plan),
-                picture: [frame.width, frame.height],
-            };
-            output::write_json(path, &PlanJson::new(&about, &plan, &Stages::new(&settings, args.textures)))?;
-        }
-        None => output::print(&text(&plan, settings.warp))?,
-    }
-    Ok(())
+    Ok(Planned { scene, picture: [frame.width, frame.height], plan })
+}
+
+/// The plan that is asked for, as JSON.
+pub fn json(args: &PlanArgs) -> Outcome<String> {
+    let Planned { scene, picture, plan } = planned(args)?;
+    let about = About {
+        world: &scene.name,
+        triangles: scene.triangles(),
+        origin: scene.origin.to_array(),
+        storage_factor: storage_factor(&plan, plan.settings().warp),
+        min_storage_factor: min_storage_factor(&plan),
+        picture,
+    };
+    let stages = Stages::new(plan.settings(), args.textures);
+    Ok(output::json(&PlanJson::new(&about, &plan, &stages))?)
 }
 
 /// The storage factor of a plan's splits, for a sun overhead and a picture as high as wide (Lloyd et al. 2006; Zhang et al. 2006, eq. 1).

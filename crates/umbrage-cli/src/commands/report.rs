@@ -3,7 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use umbrage_lab::{Entry, Experiment, LabError, Laboratory, Row, Store, csv, files, page};
+use umbrage_lab::{
+    Entry, Experiment, LabError, Laboratory, MergeError, Program, Row, Store, csv, files, merge, page,
+};
 use umbrage_render::Gpu;
 use umbrage_scene::{Camera, Imported, Scene, Shining};
 
@@ -12,18 +14,64 @@ use crate::failure::{Failure, Outcome};
 use crate::{advice, contact_sheet, output, progress, world};
 
 pub fn run(args: &ReportArgs) -> Outcome {
+    make(args, &Program::running()?, &|| true)?;
+    Ok(())
+}
+
+/// Measures what is asked for, or merges it, and writes the page unless it is a share. Returns every row as CSV. Before each
+/// run it asks whether to go on.
+pub fn make(args: &ReportArgs, program: &Program, go_on: &dyn Fn() -> bool) -> Outcome<String> {
     let (experiment, scenes) = read(&args.experiment)?;
-    let store = Store::open(&args.output)?;
-    let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
-    let hash = |world: &str| scenes.get(world).map_or_else(|| Ok(String::new()), files::scene_hash);
-    let entries = experiment.runs(&gpu.adapter.to_string(), &files::program_hash()?, hash)?;
-    let rows = measure(&gpu, &scenes, &entries, &store)?;
+    let store = Store::open(&args.output, program)?;
+    let hashes = hashes(&scenes)?;
+    let runs = |adapter: &str, program: &str| {
+        experiment.runs(adapter, program, |world| Ok(hashes.get(world).cloned().unwrap_or_default()))
+    };
+    let rows = if args.merge.is_empty() {
+        let gpu = Gpu::new(args.adapter.adapter.as_deref())?;
+        let entries = runs(&gpu.adapter.to_string(), program.hash())?;
+        let share = args.shard.map_or(entries.as_slice(), |shard| shard.of(&entries));
+        measure(&gpu, &scenes, share, &store, go_on)?
+    } else {
+        merge(&experiment, &args.merge, &store, args.adapter.adapter.as_deref(), runs)
+            .map_err(|why| what_to_do(why, args))?
+    };
+    match args.shard {
+        Some(shard) => eprintln!("shard {shard}: {} runs are in {}", rows.len(), args.output.display()),
+        None => write(&experiment, &rows, args)?,
+    }
+    Ok(csv::csv(&experiment, &rows))
+}
+
+/// The hash of every world that is a file.
+fn hashes(scenes: &BTreeMap<String, Scene>) -> Result<BTreeMap<String, String>, LabError> {
+    let files =
+        scenes.iter().filter(|(name, _)| umbrage_scene::worlds::ALL.iter().all(|known| known.name != *name));
+    files.map(|(name, scene)| Ok((name.clone(), files::scene_hash(scene)?))).collect()
+}
+
+/// What is wrong with a merge, and which words mend it.
+fn what_to_do(why: LabError, args: &ReportArgs) -> Failure {
+    let (experiment, output) = (args.experiment.display(), args.output.display());
+    match why {
+        LabError::Merge(why @ MergeError::Missing { .. }) => Failure::Work(anyhow::anyhow!(
+            "{why}; what there is lies in {output} now, and `umbrage report {experiment} -o {output}` measures the rest"
+        )),
+        LabError::Merge(why @ (MergeError::Adapters(_) | MergeError::NoAdapter { .. })) => {
+            Failure::usage(format!("--adapter: {why}"))
+        }
+        why => why.into(),
+    }
+}
+
+/// Writes the page, and beside it everything that it was made of.
+fn write(experiment: &Experiment, rows: &[Row], args: &ReportArgs) -> Outcome {
     let name = args.experiment.file_stem().map_or_else(|| "report".into(), |stem| stem.to_string_lossy());
     let path = |extension: &str| args.output.join(format!("{name}.{extension}"));
-    let report = page::report(&experiment, &args.experiment.to_string_lossy(), &rows)?;
-    output::write_json(&path("json"), &csv::json(&experiment, &rows)?)?;
-    files::write(&path("csv"), csv::csv(&experiment, &rows).as_bytes())?;
-    contact_sheet::write(&experiment, &rows, &args.output, &name)?;
+    let report = page::report(experiment, &args.experiment.to_string_lossy(), rows)?;
+    output::write_json(&path("json"), &csv::json(experiment, rows)?)?;
+    files::write(&path("csv"), csv::csv(experiment, rows).as_bytes())?;
+    contact_sheet::write(experiment, rows, &args.output, &name)?;
     report.write(&args.output, &name)?;
     eprintln!("page: {}", path("html").display());
     Ok(())
@@ -71,6 +119,7 @@ fn measure(
     scenes: &BTreeMap<String, Scene>,
     entries: &[Entry],
     store: &Store,
+    go_on: &dyn Fn() -> bool,
 ) -> Result<Vec<Row>, LabError> {
     let bar = progress::bar(entries.len() as u64, "runs");
     let mut current: Option<(&str, Laboratory<'_>)> = None;
@@ -80,6 +129,9 @@ fn measure(
         entries,
         store,
         |run| {
+            if !go_on() {
+                return Err(LabError::Stopped { done: bar.position() as usize, of: entries.len() });
+            }
             let (name, scene) = scenes
                 .get_key_value(&run.world)
                 .ok_or_else(|| LabError::World { name: run.world.clone() })?;

@@ -4,10 +4,13 @@ use umbrage::schema;
 
 use crate::args::SettingsArgs;
 use crate::failure::{Failure, Outcome};
-use crate::output::print;
+use crate::output::{print, write_text};
 use crate::pages;
 
 pub fn run(args: &SettingsArgs) -> Outcome {
+    if let Some(path) = &args.json {
+        return Ok(write_text(path, &pages::settings::json()?)?);
+    }
     let Some(name) = &args.name else {
         let list = || schema::keys().map(|key| format!("{:<36} {}\n", key.name, key.help)).collect();
         let text: String = if args.markdown { pages::settings::markdown()? } else { list() };

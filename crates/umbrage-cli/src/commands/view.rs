@@ -74,6 +74,7 @@ fn seen(args: &ViewArgs) -> WorldArgs {
         size: None,
         when: when.clone(),
         seed: 0,
+        scene: None,
     }
 }
 

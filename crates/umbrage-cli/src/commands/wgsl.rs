@@ -9,9 +9,14 @@ use crate::settings;
 use crate::stages::{Stage, Stages};
 
 pub fn run(args: &WgslArgs) -> Outcome {
+    Ok(print(&text(args)?)?)
+}
+
+/// The text that is asked for.
+pub fn text(args: &WgslArgs) -> Outcome<String> {
     let settings = settings::resolve(&args.shadows)?;
     let stages = Stages::new(&settings, args.textures);
-    let text = stages.text(args.stage, args.group).ok_or_else(|| {
+    stages.text(args.stage, args.group).ok_or_else(|| {
         let has = |stage: &&Stage| stages.text(**stage, 0).is_some();
         let names: Vec<String> = Stage::value_variants().iter().filter(has).map(name).collect();
         Failure::usage(format!(
@@ -19,8 +24,7 @@ pub fn run(args: &WgslArgs) -> Outcome {
             name(&args.stage),
             names.join(", ")
         ))
-    })?;
-    Ok(print(&text)?)
+    })
 }
 
 fn name(stage: &Stage) -> String {

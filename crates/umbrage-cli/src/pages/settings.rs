@@ -1,10 +1,12 @@
 //! `docs/settings.md`: every setting, with its values, its default, what it does, and what a change of it costs.
 
+use serde::Serialize;
 use toml::{Table, Value};
 use umbrage::schema::{self, Choice, Cost, Group, Key, Values};
 use umbrage::{Filter, Settings, Shade};
 
 use super::opening;
+use crate::output;
 
 const ABOUT: &str = "How shadows are made is a list of settings with the same names everywhere: in a settings file \
 (`[shadows]` of a TOML file, given with `--shadows FILE.toml`), on the command line (`--set splits=3 --set filter.kind=pcf`), \
@@ -88,6 +90,15 @@ fn values(key: &Key) -> String {
 
 /// What the setting is where nobody gives it: as TOML has it, between backticks, or in words where it is left out.
 fn default(key: &Key) -> anyhow::Result<String> {
+    Ok(match (default_value(key)?, key.absent) {
+        (Some(value), _) => code(&value.to_string()),
+        (None, Some(absent)) => absent.means.to_owned(),
+        (None, None) => "none".to_owned(),
+    })
+}
+
+/// The same as a value; `None` where the setting is left out by default, or is a table.
+fn default_value(key: &Key) -> anyhow::Result<Option<Value>> {
     // Where another kind is the default, what this one starts with.
     let mut settings = Settings::default();
     if let Some(kind) = key.kinds().first() {
@@ -96,23 +107,86 @@ fn default(key: &Key) -> anyhow::Result<String> {
     }
     let table = Table::try_from(&settings)?;
     let found = key.name.split('.').try_fold(&Value::Table(table), |value, name| value.get(name)).cloned();
-    Ok(match (found, key.absent) {
-        (Some(Value::Float(number)), _) => code(&(number as f32).to_string()),
-        (Some(Value::Table(_)) | None, Some(absent)) => absent.means.to_owned(),
-        (Some(Value::Table(_)) | None, None) => "none".to_owned(),
-        (Some(value), _) => code(&value.to_string()),
+    Ok(match found {
+        // The digits of an f32, and not those of the f64 next to it.
+        Some(Value::Float(number)) => Some(Value::Float((number as f32).to_string().parse()?)),
+        Some(Value::Table(_)) | None => None,
+        Some(value) => Some(value),
     })
 }
 
+/// A setting as JSON.
+#[derive(Serialize)]
+struct SettingJson {
+    name: &'static str,
+    /// The kinds of filter or shade that the row holds of; empty where it holds of all.
+    kinds: Vec<&'static str>,
+    label: &'static str,
+    group: &'static str,
+    help: &'static str,
+    source: &'static str,
+    unit: &'static str,
+    /// The range in words, or the names of the choices.
+    values: String,
+    choices: Vec<ChoiceJson>,
+    /// `null` where it is left out by default; `absent` says what that means.
+    default: Option<Value>,
+    absent: Option<&'static str>,
+    makes_anew: Vec<&'static str>,
+}
+
+#[derive(Serialize)]
+struct ChoiceJson {
+    name: &'static str,
+    help: &'static str,
+    source: &'static str,
+}
+
+/// Every setting, as JSON.
+pub fn json() -> anyhow::Result<String> {
+    output::json(&schema::keys().map(SettingJson::of).collect::<anyhow::Result<Vec<_>>>()?)
+}
+
+impl SettingJson {
+    fn of(key: &Key) -> anyhow::Result<Self> {
+        let choice = |of: &Choice| ChoiceJson { name: of.name, help: of.help, source: of.source };
+        Ok(Self {
+            name: key.name,
+            kinds: key.kinds(),
+            label: key.label,
+            group: key.group.label(),
+            help: key.help,
+            source: key.source,
+            unit: key.unit,
+            values: values(key).replace('`', ""),
+            choices: match key.values {
+                Values::Choice(choices) => choices.iter().map(choice).collect(),
+                Values::Switch
+                | Values::Colour
+                | Values::Table
+                | Values::Distances
+                | Values::Whole { .. }
+                | Values::Number { .. } => Vec::new(),
+            },
+            default: default_value(key)?,
+            absent: key.absent.map(|absent| absent.means),
+            makes_anew: key.costs.iter().map(cost).collect(),
+        })
+    }
+}
+
 fn costs(key: &Key) -> String {
-    let name = |cost: &Cost| match cost {
+    key.costs.iter().map(cost).collect::<Vec<_>>().join(", ")
+}
+
+fn cost(cost: &Cost) -> &'static str {
+    match cost {
         Cost::Plan => "plan",
         Cost::Frame => "frame",
         Cost::Shader => "shaders",
         Cost::Casters => "casters",
         Cost::Maps => "maps",
-    };
-    key.costs.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// Under which kinds the row holds, where its table has some.

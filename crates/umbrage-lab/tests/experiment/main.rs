@@ -5,7 +5,7 @@ mod refusals;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use umbrage_lab::{AreaLight, Entry, Experiment, LabError, Motion, SmoothTruth, Watch};
+use umbrage_lab::{AreaLight, Entry, Experiment, LabError, Motion, Shard, SmoothTruth, Watch};
 use umbrage_scene::worlds;
 
 /// Lines are counted in the refusals below.
@@ -101,6 +101,29 @@ fn runs_that_share_a_truth_are_neighbours() {
         .collect();
     assert_eq!(groups, wanted);
     assert_eq!(entries, runs(&read(GOOD).unwrap()), "the order is always the same");
+}
+
+#[test]
+fn shards_are_all_runs_in_order_and_none_has_two_more_than_another() {
+    let entries = runs(&read(GOOD).unwrap());
+    for count in [1, 2, 3, 5, 7, 47, 48, 49, 1000] {
+        let shards = (1..=count).map(|index| format!("{index}/{count}").parse::<Shard>().unwrap());
+        let shares: Vec<_> = shards.map(|shard| shard.of(&entries)).collect();
+        assert_eq!(shares.concat(), entries, "{count} shards");
+        let sizes = shares.iter().map(|share| share.len());
+        assert!(sizes.clone().max().unwrap() - sizes.min().unwrap() <= 1, "{count} shards");
+    }
+    let last = u32::MAX;
+    assert_eq!(format!("{last}/{last}").parse::<Shard>().unwrap().of(&entries), &entries[47..]);
+}
+
+#[test]
+fn words_that_name_no_shard_are_refused_with_an_example() {
+    assert_eq!("2/8".parse::<Shard>().unwrap().to_string(), "2/8");
+    for wrong in ["", "2", "0/3", "4/3", "0/0", "a/b", "1/2/3", "-1/3", "1.5/3", "1/99999999999"] {
+        let why = wrong.parse::<Shard>().expect_err(wrong).to_string();
+        assert!(why.contains("as 2/8") && why.ends_with(&format!("`{wrong}`")), "{why}");
+    }
 }
 
 #[test]
