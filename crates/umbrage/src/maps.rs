@@ -1,11 +1,12 @@
-//! The shadow maps themselves: one depth texture, in layers or as an atlas, and its texels read back.
+//! The shadow maps themselves: one depth texture, in layers or as an atlas.
 
-use umbrage_core::{DepthFormat, MapLayout, MapTexels, ShadowView, Tile};
+use umbrage_core::{MapLayout, ShadowView, Tile};
 use umbrage_wgsl::clear;
 
 use crate::capabilities::Capabilities;
+use crate::coming_maps::ComingMaps;
 use crate::depth_pipeline::{DepthPipeline, depth_pipeline, texture_format};
-use crate::error::{DeviceError, ShadowError};
+use crate::error::ShadowError;
 use crate::objects::Objects;
 
 /// The depth texture that all views share.
@@ -169,64 +170,8 @@ impl Maps {
         pass.set_scissor_rect(x, y, size, size);
     }
 
-    /// Copies all texels to the CPU, and waits for them.
-    pub fn read(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<MapTexels, ShadowError> {
-        let bytes = self.layout.depth.bytes() as u32;
-        let [width, height] = self.size();
-        let stride = (width * bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let size = u64::from(stride) * u64::from(height) * u64::from(self.layout.layers);
-        let max = device.limits().max_buffer_size;
-        if size > max {
-            return Err(ShadowError::CopyTooLarge { bytes: size, max });
-        }
-        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("Maps::read"),
-            size,
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let mut encoder =
-            device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("Maps::read") });
-        encoder.copy_texture_to_buffer(
-            wgpu::TexelCopyTextureInfo {
-                texture: &self.texture,
-                mip_level: 0,
-                origin: wgpu::Origin3d::ZERO,
-                aspect: wgpu::TextureAspect::DepthOnly,
-            },
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(stride),
-                    rows_per_image: Some(height),
-                },
-            },
-            wgpu::Extent3d { width, height, depth_or_array_layers: self.layout.layers },
-        );
-        queue.submit([encoder.finish()]);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver lives until the result has come.
-            let _ = sender.send(result);
-        });
-        device.poll(wgpu::PollType::wait_indefinitely()).map_err(failed)?;
-        receiver.recv().map_err(failed)?.map_err(failed)?;
-        let mapped = buffer.get_mapped_range(..).map_err(failed)?;
-        let row = |row: &[u8]| -> Vec<f32> {
-            let row = &row[..(width * bytes) as usize];
-            match self.layout.depth {
-                DepthFormat::F32 => row.as_chunks().0.iter().map(|b| f32::from_le_bytes(*b)).collect(),
-                DepthFormat::U16 => {
-                    row.as_chunks().0.iter().map(|b| f32::from(u16::from_le_bytes(*b)) / 65535.0).collect()
-                }
-            }
-        };
-        let depths = mapped.chunks_exact(stride as usize).flat_map(row).collect();
-        Ok(MapTexels { layout: self.layout, depths })
+    /// Starts to copy all texels to the CPU.
+    pub fn request(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<ComingMaps, ShadowError> {
+        ComingMaps::new(device, queue, &self.texture, self.layout)
     }
-}
-
-fn failed(error: impl std::error::Error + Send + Sync + 'static) -> ShadowError {
-    ShadowError::ReadBack(DeviceError::new(error))
 }

@@ -4,6 +4,7 @@ use umbrage_core::{MapLayout, MapTexels, Settings};
 use umbrage_wgsl::{ShaderKey, receiver};
 
 use super::Shadows;
+use crate::coming_maps::ComingMaps;
 use crate::error::ShadowError;
 
 impl Shadows {
@@ -65,6 +66,18 @@ impl Shadows {
     /// # Errors
     /// When the device is lost, or this adapter cannot copy depth (GL).
     pub fn read_maps(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<MapTexels, ShadowError> {
+        self.request_maps(device, queue)?.wait(device)
+    }
+
+    /// Starts to copy all maps to the CPU without waiting: [`ComingMaps::take`] has them when they have come.
+    ///
+    /// # Errors
+    /// When this adapter cannot copy depth (GL), or the maps exceed its buffers.
+    pub fn request_maps(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+    ) -> Result<ComingMaps, ShadowError> {
         if !self.capabilities.read_back {
             return Err(ShadowError::Unsupported {
                 what: "reading shadow maps back",
@@ -72,6 +85,6 @@ impl Shadows {
                 remedy: "use a Vulkan, Metal, DX12 or WebGPU adapter",
             });
         }
-        self.parts.maps.read(device, queue)
+        self.parts.maps.request(device, queue)
     }
 }
