@@ -104,6 +104,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "glam",
             "image",
             "open",
+            "percent-encoding",
             "pollster",
             "rfd",
             "serde",

@@ -149,7 +149,7 @@ pub struct WorldArgs {
 }
 
 /// These arguments say how shadows are made: a preset comes first, a file goes over it, and single keys go over that.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct ShadowArgs {
     /// Named settings to start from (see `umbrage presets`)
     #[arg(long, value_name = "NAME", default_value = "default")]

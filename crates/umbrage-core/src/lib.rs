@@ -70,7 +70,7 @@ pub use filter::*;
 pub use fit::Fit;
 pub use light::{Light, LightKind};
 pub use light_box::LightBox;
-pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, view_of};
+pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, place_of, view_of};
 pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use plane::Plane;

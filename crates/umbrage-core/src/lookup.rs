@@ -48,6 +48,20 @@ pub fn view_of<'a>(
     Receiver::new(plan, settings, light, world_position, world_normal)?.view()
 }
 
+/// The view whose map serves a receiver, and the place in its tile with the depth to compare with there; `None` where no view
+/// does. `world_normal` is unit and geometric.
+pub fn place_of<'a>(
+    plan: &'a ShadowPlan,
+    settings: &'a Settings,
+    light: usize,
+    world_position: Vec3,
+    world_normal: Vec3,
+) -> Option<(&'a ShadowView, Place)> {
+    let receiver = Receiver::new(plan, settings, light, world_position, world_normal)?;
+    let view = receiver.view()?;
+    Some((view, receiver.place(view)))
+}
+
 impl Lookup<'_> {
     /// How much of a light reaches a point, from 0 to 1. `world_normal` is unit and geometric, on the side that is seen.
     pub fn visibility(&self, light: usize, world_position: Vec3, world_normal: Vec3) -> f32 {

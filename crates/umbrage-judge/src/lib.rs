@@ -28,6 +28,7 @@ mod error;
 mod eye;
 #[cfg(not(target_arch = "wasm32"))]
 mod flip;
+mod inspect;
 mod light;
 mod passage;
 mod pool;
@@ -50,6 +51,7 @@ pub use error::{DepthBand, Error, ShadowResult};
 pub use eye::{Eye, jittered};
 #[cfg(not(target_arch = "wasm32"))]
 pub use flip::flip_mean;
+pub use inspect::Inspected;
 pub use light::{Light, Toward};
 pub use pool::Part;
 pub use progress::{Progress, Tile};

@@ -41,6 +41,59 @@ pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
     web_sys::Url::revoke_object_url(&url).map_err(failed)
 }
 
+/// Fetches a file.
+///
+/// # Errors
+/// In one line that says what to do: when nothing answers, the server refuses, or the file is too large.
+pub async fn fetch(address: &str) -> Result<Vec<u8>, String> {
+    let window = web_sys::window().ok_or("there is no page")?;
+    let response = JsFuture::from(window.fetch_with_str(address)).await.map_err(|_| {
+        "the browser got no answer: the address is wrong, or its server lets no other page read it (CORS), for which it would have to send `Access-Control-Allow-Origin`; download the file, and drop it here"
+    })?;
+    let response: web_sys::Response = response.unchecked_into();
+    if !response.ok() {
+        let (status, words) = (response.status(), response.status_text());
+        return Err(format!("the server answered {status} {words}; check the address"));
+    }
+    let length =
+        response.headers().get("content-length").ok().flatten().and_then(|length| length.parse().ok());
+    crate::load::check_size(address, length.unwrap_or(0))?;
+    let broken = |_| "the file did not come whole; load the page again";
+    let buffer = JsFuture::from(response.array_buffer().map_err(broken)?).await.map_err(broken)?;
+    let bytes = js_sys::Uint8Array::new(&buffer);
+    crate::load::check_size(address, u64::from(bytes.length()))?;
+    Ok(bytes.to_vec())
+}
+
+/// Returns the text that the browser keeps for the page under a name.
+///
+/// # Errors
+/// When the browser keeps nothing for this page.
+pub fn kept(name: &str) -> Result<Option<String>, String> {
+    let refused = |why: JsValue| format!("the browser keeps nothing for this page: {why:?}");
+    storage()?.get_item(name).map_err(refused)
+}
+
+/// Lets the browser keep a text for the page under a name.
+///
+/// # Errors
+/// When it does not: some keep nothing in private windows.
+pub fn keep(name: &str, text: &str) -> Result<(), String> {
+    storage()?.set_item(name, text).map_err(|why| format!("the browser does not take it: {why:?}"))
+}
+
+fn storage() -> Result<web_sys::Storage, String> {
+    let storage = web_sys::window().and_then(|window| window.local_storage().ok().flatten());
+    storage.ok_or_else(|| "the browser keeps nothing for this page".to_owned())
+}
+
+/// Returns the page's address without its query; empty where there is none.
+pub fn address() -> String {
+    let location = web_sys::window().map(|window| window.location());
+    let part = |part: Result<String, JsValue>| part.unwrap_or_default();
+    location.map_or(String::new(), |location| part(location.origin()) + &part(location.pathname()))
+}
+
 /// Sends the page an event with a detail: `umbrage-started`, or `umbrage-failed` with the reason. `web/index.html` listens.
 pub fn dispatch(name: &str, detail: &str) {
     let event = web_sys::CustomEventInit::new();

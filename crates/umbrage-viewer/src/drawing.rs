@@ -1,6 +1,7 @@
 //! A world on the device, drawn with one or two settings into textures that a window shows.
 
 mod blit;
+mod coming;
 mod side;
 mod texture;
 
@@ -18,6 +19,8 @@ use crate::timings::PassTimes;
 use blit::Blit;
 use side::Side;
 use texture::EguiTexture;
+
+pub use coming::Coming;
 
 /// The pictures of a world: one, or two beside each other.
 pub struct Drawing {
@@ -138,12 +141,28 @@ impl Drawing {
         self.sides[side].request(show)
     }
 
+    /// Requests the visibility of one light and the shadow maps of a side's picture; `None` before the first picture.
+    ///
+    /// # Errors
+    /// As [`Renderer::show`].
+    pub fn ask(&mut self, side: usize, light: usize) -> Result<Option<Coming>, RenderError> {
+        self.sides[side].ask(light)
+    }
+
     /// Requests a side's picture as it is shown, to be saved; `None` before the first picture.
     ///
     /// # Errors
     /// As [`Drawn::coming_picture`].
     pub fn request_picture(&self, side: usize) -> Result<Option<ComingPicture>, RenderError> {
         self.sides[side].drawn().map(Drawn::coming_picture).transpose()
+    }
+
+    /// Draws another frame with a side's settings, beside the one that is shown, and requests its picture.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`].
+    pub fn request_frame(&mut self, side: usize, frame: &Frame) -> Result<ComingPicture, RenderError> {
+        self.sides[side].request_frame(frame)
     }
 
     /// Returns the shape that covers a rectangle of the screen with a side's picture.

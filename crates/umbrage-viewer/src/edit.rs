@@ -14,6 +14,16 @@ pub fn table(settings: &Settings) -> Result<Table, WrongSettings> {
         .map_err(|why| WrongSettings::Value { key: String::new(), wrong: why.to_string() })
 }
 
+/// Returns the settings as a table with numbers as short as they were meant.
+///
+/// # Errors
+/// Never for settings that are valid.
+pub fn short_table(settings: &Settings) -> Result<Table, WrongSettings> {
+    let mut table = table(settings)?;
+    shorten(&mut table);
+    Ok(table)
+}
+
 /// Returns what a table of settings holds under a name of the schema.
 pub fn value<'t>(table: &'t Table, name: &str) -> Option<&'t Value> {
     let mut names = name.split('.');
@@ -82,8 +92,7 @@ fn remove(table: &mut Table, name: &str) {
 /// # Errors
 /// Never for settings that are valid.
 pub fn file(settings: &Settings) -> Result<String, WrongSettings> {
-    let mut table = Value::Table(table(settings)?);
-    shorten(&mut table);
+    let table = Value::Table(short_table(settings)?);
     let file = Table::from_iter([("shadows".to_owned(), table)]);
     toml::to_string(&file).map_err(|why| WrongSettings::Value { key: String::new(), wrong: why.to_string() })
 }
@@ -97,7 +106,11 @@ pub fn from_file(name: &str, text: &str) -> Result<Settings, WrongSettings> {
 }
 
 /// Makes 0.8 of 0.800000011920929: the numbers of settings are 32-bit floats.
-fn shorten(value: &mut Value) {
+pub fn shorten(table: &mut Table) {
+    table.iter_mut().for_each(|(_, value)| shorten_value(value));
+}
+
+fn shorten_value(value: &mut Value) {
     match value {
         Value::Float(float) => {
             let short = (*float as f32).to_string().parse().unwrap_or(*float);
@@ -105,8 +118,8 @@ fn shorten(value: &mut Value) {
                 *float = short;
             }
         }
-        Value::Array(values) => values.iter_mut().for_each(shorten),
-        Value::Table(table) => table.iter_mut().for_each(|(_, value)| shorten(value)),
+        Value::Array(values) => values.iter_mut().for_each(shorten_value),
+        Value::Table(table) => shorten(table),
         Value::String(_) | Value::Integer(_) | Value::Boolean(_) | Value::Datetime(_) => {}
     }
 }

@@ -12,12 +12,21 @@ use crate::world::World;
 /// The name of the viewer's camera in the world of an experiment.
 const CAMERA: &str = "viewer";
 
-/// Saves a picture as a PNG file, and returns where.
+/// Saves a picture as a PNG file of a name without its extension, and returns where.
 ///
 /// # Errors
 /// When it has no pixels, or the file cannot be written.
-pub fn save_picture(picture: &Picture) -> Result<String, String> {
-    save("umbrage", "png", &png(picture)?)
+pub fn save_picture(name: &str, picture: &Picture) -> Result<String, String> {
+    save(&file_stem(name), "png", &png(picture)?)
+}
+
+/// A name as that of a file: without its extension, and not a path; `umbrage` where nothing is left.
+fn file_stem(name: &str) -> String {
+    let name = name.trim();
+    let stem = name.strip_suffix(".png").unwrap_or(name);
+    let plain = |c: char| if c.is_control() || "/\\:*?\"<>|".contains(c) { '-' } else { c };
+    let stem: String = stem.trim_start_matches('.').chars().take(100).map(plain).collect();
+    if stem.is_empty() { "umbrage".to_owned() } else { stem }
 }
 
 /// Saves an experiment of what the view shows, and a copy of the world where its name does not say enough: experiments are of
@@ -211,6 +220,19 @@ mod tests {
         let bytes = experiment.world_file().expect("a file");
         let read = umbrage_scene::load_glb_bytes(&bytes, "experiment").expect("a world").scene;
         assert_eq!(read.instances[0].world_from_mesh_in(&read.pose(9.0)), want, "it stands still");
+    }
+
+    #[test]
+    fn a_name_becomes_that_of_a_file_in_this_folder() {
+        for (name, stem) in [
+            ("", "umbrage"),
+            (" knights.png ", "knights"),
+            ("../../etc/x", "-..-etc-x"),
+            ("a:b?", "a-b-"),
+            (".png", "umbrage"),
+        ] {
+            assert_eq!(file_stem(name), stem, "{name}");
+        }
     }
 
     #[test]

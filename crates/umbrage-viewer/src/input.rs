@@ -1,6 +1,6 @@
 //! What the pointer, fingers and keys do to the camera, and which action each other key asks for.
 
-use eframe::egui::{self, Key, PointerButton, Response};
+use eframe::egui::{self, Key, Modifiers, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
 use crate::action::{Action, Toggle};
@@ -20,8 +20,11 @@ pub const KEYS: &[(&str, &str)] = &[
     ("P", "fly along the world's path, or stop"),
     ("F", "freeze the camera that shadows are planned for"),
     ("T", "compare with ray-traced ground truth"),
+    ("I, Ctrl + click", "ask a pixel why its shadow is as it is"),
     ("C", "compare two settings"),
     ("M", "show the shadow maps"),
+    ("Ctrl + Z", "undo the last change of settings"),
+    ("Ctrl + Shift + Z", "do it again"),
     ("H", "hide the panels"),
     ("F1 or ?", "this list"),
 ];
@@ -40,6 +43,7 @@ pub fn pressed(context: &egui::Context) -> Vec<Action> {
         (Key::P, Action::Toggle(Toggle::Path)),
         (Key::F, Action::Toggle(Toggle::FrozenCamera)),
         (Key::T, Action::Toggle(Toggle::Truth)),
+        (Key::I, Action::Toggle(Toggle::Ask)),
         (Key::C, Action::ToggleCompare),
         (Key::M, Action::Toggle(Toggle::Maps)),
         (Key::H, Action::Toggle(Toggle::Panels)),
@@ -47,7 +51,8 @@ pub fn pressed(context: &egui::Context) -> Vec<Action> {
         (Key::Questionmark, Action::Toggle(Toggle::Help)),
     ];
     let digits = DIGITS.into_iter().enumerate().map(|(i, key)| (key, Action::GoToCamera(i)));
-    context.input(|input| {
+    let mut actions = context.input_mut(steps);
+    actions.extend(context.input(|input| {
         // Keys that are held say so again and again: once is meant.
         let once = |key| {
             let is_once = |event: &egui::Event| {
@@ -56,8 +61,22 @@ pub fn pressed(context: &egui::Context) -> Vec<Action> {
             input.events.iter().any(is_once)
         };
         let pressed = |(key, action)| (once(key) && !input.modifiers.command).then_some(action);
-        of_key.into_iter().chain(digits).filter_map(pressed).collect()
-    })
+        of_key.into_iter().chain(digits).filter_map(pressed).collect::<Vec<_>>()
+    }));
+    actions
+}
+
+/// Steps back and forth among settings.
+fn steps(input: &mut egui::InputState) -> Vec<Action> {
+    let command = Modifiers::COMMAND;
+    let mut is_pressed = |modifiers, key| input.consume_key(modifiers, key);
+    // The one with more modifiers first: the other would take it.
+    let redo = is_pressed(command | Modifiers::SHIFT, Key::Z) || is_pressed(command, Key::Y);
+    let undo = is_pressed(command, Key::Z);
+    [(redo, Action::Redo), (undo, Action::Undo)]
+        .into_iter()
+        .filter_map(|(on, action)| on.then_some(action))
+        .collect()
 }
 
 /// Moves the camera by what the pointer and the fingers did on the picture. Returns whether it moved.

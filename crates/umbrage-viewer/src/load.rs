@@ -1,4 +1,4 @@
-//! Where worlds come from: a name, a path, or the bytes of a file that was dropped or chosen.
+//! Where worlds come from: a name, a path, an address, or the bytes of a file that was dropped or chosen.
 
 use std::path::{Path, PathBuf};
 
@@ -15,6 +15,8 @@ pub const WORLDS: [&str; 3] = ["glb", "gltf", "obj"];
 pub enum Source {
     /// The name of a built-in world, or a path.
     Named(String),
+    /// The address of a file that a page fetches.
+    Address(String),
     /// A file's name and its bytes.
     Bytes {
         /// The file's name, with its extension.
@@ -28,7 +30,7 @@ impl Source {
     /// Returns the name or the path of it, for people.
     pub fn name(&self) -> &str {
         match self {
-            Self::Named(name) => name,
+            Self::Named(name) | Self::Address(name) => name,
             Self::Bytes { name, .. } => name,
         }
     }
@@ -42,6 +44,9 @@ impl Source {
             Self::Named(name) => {
                 umbrage_lab::files::load_world_telling(name, 0, tell).map_err(|why| why.to_string())
             }
+            Self::Address(address) => Err(format!(
+                "`load={address}` is left out: the window reads no addresses; download the file, and open it or drop it here"
+            )),
             Self::Bytes { name, bytes } => of_bytes(name, bytes, tell),
         }
     }
@@ -64,6 +69,25 @@ pub fn of_bytes(name: &str, bytes: &[u8], tell: &dyn Fn(Step)) -> Result<Importe
         // In a page a file comes alone.
         if alone.contains("only bytes") { format!("{alone}; put everything into one .glb") } else { alone }
     })
+}
+
+/// Returns the name of a file that was fetched from an address: the last of its path, with an extension by its content where
+/// it has none of a world.
+///
+/// # Errors
+/// When neither says that it is a world.
+pub fn name_of(address: &str, bytes: &[u8]) -> Result<String, String> {
+    let path = address.split(['?', '#']).next().unwrap_or(address);
+    let name = path.rsplit('/').next().unwrap_or(path);
+    if is_world(Path::new(name)) {
+        return Ok(name.to_owned());
+    }
+    let is_json = bytes.trim_ascii_start().starts_with(b"{");
+    match (bytes.starts_with(b"glTF"), is_json) {
+        (true, _) => Ok(format!("{name}.glb")),
+        (false, true) => Ok(format!("{name}.gltf")),
+        (false, false) => Err("what is there is no .glb, .gltf or .obj".to_owned()),
+    }
 }
 
 /// Checks the size of a file before it is read as a whole.
@@ -95,6 +119,20 @@ pub fn of_path(path: PathBuf) -> Source {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_fetched_file_is_named_by_its_address_or_its_content() {
+        let name = |address, bytes: &[u8]| name_of(address, bytes);
+        assert_eq!(name("https://example.org/a/b.GLB?raw=1#x", b""), Ok("b.GLB".to_owned()));
+        assert_eq!(name("models/helmet", b"glTF\x02"), Ok("helmet.glb".to_owned()));
+        assert_eq!(name("https://example.org/get?id=7", b" {\"asset\":{}}"), Ok("get.gltf".to_owned()));
+        let wrong = name("https://example.org/index.html", b"<!doctype html>").expect_err("a page");
+        assert!(wrong.contains(".glb"), "{wrong}");
+        let text = Source::Address("https://example.org/b.glb".to_owned())
+            .load(&|_| ())
+            .expect_err("no window fetches");
+        assert!(text.contains("`load=https://example.org/b.glb`") && text.contains("download"), "{text}");
+    }
 
     #[test]
     fn a_file_that_is_too_large_is_refused_with_its_size() {

@@ -52,7 +52,7 @@ pub fn run_wrapped(start: Start, options: &Options, wrap: &Wrap<'_>) -> Result<(
         let viewer = viewer.borrow();
         let Some(why) = viewer.lost() else { return Ok(()) };
         let message = format!("the graphics device was lost ({why}); this is another one");
-        start = Start { message: Some(message), ..viewer.restart() };
+        start = Start { messages: vec![message], ..viewer.restart() };
     }
 }
 

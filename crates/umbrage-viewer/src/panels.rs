@@ -5,20 +5,26 @@
 
 pub mod settings;
 
+pub(crate) mod light_handles;
 pub(crate) mod messages;
 pub(crate) mod picture;
 
 mod animation;
+mod lesson;
 mod maps;
 mod method;
+mod save_picture;
 mod split_plot;
 mod top_bar;
 mod truth;
+mod why;
 mod world;
 
 use eframe::egui;
 
 use crate::action::Action;
+use crate::bookmarks::Bookmarks;
+use crate::history::History;
 use crate::input;
 use crate::session::Session;
 
@@ -38,6 +44,12 @@ pub(crate) struct PanelState {
     pub map: usize,
     /// The path of a world as it is typed.
     pub path: String,
+    /// The number of the lesson that is shown, from 0.
+    pub lesson: Option<usize>,
+    /// The name of a bookmark as it is typed.
+    pub bookmark: String,
+    /// The picture that is saved next, where its window is open.
+    pub picture: Option<save_picture::Form>,
 }
 
 /// Shows the panels beside the picture; below it where there is no room for that, as on a phone.
@@ -45,13 +57,14 @@ pub(crate) fn show(
     ui: &mut egui::Ui,
     mut session: Option<&mut Session>,
     state: &mut PanelState,
+    bookmarks: &Bookmarks,
     adapter: &str,
 ) -> Vec<Action> {
     // The window is cleared to their colour already, and a software adapter is spared to fill them.
     let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::TRANSPARENT);
     let bar = egui::Panel::top("bar").frame(frame);
     let mut actions =
-        bar.show(ui, |ui| top_bar::show(ui, session.as_deref_mut(), &mut state.path, adapter)).inner;
+        bar.show(ui, |ui| top_bar::show(ui, session.as_deref_mut(), state, bookmarks, adapter)).inner;
     let scrolled = || egui::ScrollArea::vertical().auto_shrink(false);
     if ui.available_width() < SCENE_WIDTH + PICTURE_WIDTH + SETTINGS_WIDTH {
         let height = 0.45 * ui.available_height();
@@ -95,7 +108,8 @@ fn settings_panel(
     session: Option<&mut Session>,
     state: &mut PanelState,
 ) -> Option<Action> {
-    let view = &mut session?.view;
+    let Session { view, history, .. } = session?;
+    let stepped = steps(ui, history);
     if view.compare {
         ui.horizontal(|ui| {
             for (side, name) in ["left", "right"].into_iter().enumerate() {
@@ -106,18 +120,38 @@ fn settings_panel(
             }
         });
     }
-    let changed = settings::show(ui, view.edited_settings(), &mut state.refused)?;
-    Some(Action::SetSettings(Box::new(changed)))
+    let changed = settings::show(ui, view.edited_settings(), &mut state.refused);
+    changed.map(|changed| Action::SetSettings(Box::new(changed))).or(stepped)
+}
+
+/// The buttons that go back and forth among settings.
+fn steps(ui: &mut egui::Ui, history: &History) -> Option<Action> {
+    let row = ui.horizontal(|ui| {
+        let undo = ui.add_enabled(history.can_undo(), egui::Button::new("undo"));
+        let redo = ui.add_enabled(history.can_redo(), egui::Button::new("redo"));
+        let undo = undo.on_hover_text("Undoes the last change of settings (Ctrl + Z).").clicked();
+        let redo = redo.on_hover_text("Does again what was undone (Ctrl + Shift + Z).").clicked();
+        undo.then_some(Action::Undo).or(redo.then_some(Action::Redo))
+    });
+    row.inner
 }
 
 /// Shows the windows that lie over the picture.
 pub(crate) fn windows(context: &egui::Context, session: &mut Session, state: &mut PanelState) -> Vec<Action> {
     help(context, &mut session.view.help);
-    if !session.view.maps {
-        return Vec::new();
+    if let Some(pick) = session.pick.take() {
+        let names = session.view.lights(&session.world.scene).into_iter().map(|light| light.name);
+        session.pick = why::show(context, pick, &names.collect::<Vec<_>>());
     }
-    let Session { view, drawing, .. } = session;
-    maps::show(context, view, drawing, &mut state.map).into_iter().collect()
+    let most = session.drawing.max_side_px();
+    let mut actions: Vec<Action> =
+        save_picture::show(context, &mut state.picture, most).into_iter().collect();
+    actions.extend(lesson::show(context, &mut state.lesson));
+    if session.view.maps {
+        let Session { view, drawing, .. } = session;
+        actions.extend(maps::show(context, view, drawing, &mut state.map));
+    }
+    actions
 }
 
 fn help(context: &egui::Context, is_open: &mut bool) {

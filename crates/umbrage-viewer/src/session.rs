@@ -2,11 +2,14 @@
 
 use eframe::egui;
 use umbrage::{Exact, Settings};
-use umbrage_render::{Frame, RenderError};
+use umbrage_render::{ComingPicture, Frame, RenderError};
 
 use crate::caster_build::WorldCasters;
 use crate::drawing::Drawing;
+use crate::history::History;
 use crate::input;
+use crate::link::Link;
+use crate::pick::{Pick, Picture};
 use crate::timings::Timings;
 use crate::truth::{Shot, TruthOverlay};
 use crate::view_state::ViewState;
@@ -33,6 +36,10 @@ pub struct Session {
     pub timings: Timings,
     /// What its rays go through.
     casters: WorldCasters,
+    /// Settings that there were.
+    pub history: History,
+    /// The pixel that someone asks why of.
+    pub pick: Option<Pick>,
     trial: Option<Trial>,
 }
 
@@ -49,7 +56,17 @@ impl Session {
     /// Opens a world whose drawing was made for the view's settings.
     pub fn new(world: World, view: ViewState, drawing: Drawing) -> Self {
         let (truth, timings) = (TruthOverlay::default(), Timings::default());
-        Self { world, view, drawing, truth, timings, casters: WorldCasters::default(), trial: None }
+        Self {
+            world,
+            view,
+            drawing,
+            truth,
+            timings,
+            casters: WorldCasters::default(),
+            history: History::default(),
+            pick: None,
+            trial: None,
+        }
     }
 
     /// Draws the edited side with other settings.
@@ -61,6 +78,7 @@ impl Session {
         self.view.settings[self.view.edited] = settings;
         match self.drawing.set_settings(self.view.sides()) {
             Ok(()) => {
+                self.history.record(before.clone());
                 // Of several changes in a row the settings before the first are the ones that are known to work.
                 if self.trial.as_ref().is_none_or(|trial| trial.frames >= TRIAL_FRAMES) {
                     self.trial = Some(Trial { before, frames: 0 });
@@ -74,6 +92,20 @@ impl Session {
         }
     }
 
+    /// Goes back to the settings before the last step, or forth again.
+    ///
+    /// # Errors
+    /// As [`Drawing::set_settings`]; then the settings stay as they were.
+    pub fn step(&mut self, back: bool) -> Result<(), RenderError> {
+        let now = self.view.settings.clone();
+        let Self { history, .. } = self;
+        let Some(wanted) = (if back { history.undo(now.clone()) } else { history.redo(now.clone()) }) else {
+            return Ok(());
+        };
+        self.view.settings = wanted;
+        self.drawing.set_settings(self.view.sides()).inspect_err(|_| self.view.settings = now)
+    }
+
     /// Shows two sides, or one.
     ///
     /// # Errors
@@ -83,6 +115,25 @@ impl Session {
         let set = self.drawing.set_settings(self.view.sides());
         self.view.compare &= set.is_ok();
         set
+    }
+
+    /// Shows what a link says. Returns a message for each part that this world does not have.
+    ///
+    /// # Errors
+    /// As [`Drawing::set_settings`]; then the settings stay as they were.
+    pub fn show(&mut self, link: &Link) -> Result<Vec<String>, RenderError> {
+        let before = self.view.clone();
+        let left_out = link.apply(&mut self.view, &self.world.scene);
+        if let Err(why) = self.drawing.set_settings(self.view.sides()) {
+            (self.view.settings, self.view.compare) = (before.settings, before.compare);
+            self.drawing.set_settings(self.view.sides())?;
+            return Err(why);
+        }
+        if before.settings != self.view.settings {
+            self.history.record(before.settings.clone());
+        }
+        self.trial = Some(Trial { before: before.settings, frames: 0 });
+        Ok(left_out)
     }
 
     /// Counts a frame of the trial of new settings.
@@ -149,7 +200,7 @@ impl Session {
     /// # Errors
     /// When a side cannot be drawn or compared.
     pub fn draw(&mut self, context: &egui::Context, size_px: [u32; 2]) -> Result<(), RenderError> {
-        let Self { world, view, drawing, truth, timings, casters: _, trial: _ } = self;
+        let Self { world, view, drawing, truth, timings, pick, history: _, casters: _, trial: _ } = self;
         let frame = view.frame(&world.scene, size_px)?;
         let mut has_drawn = false;
         for side in 0..drawing.sides() {
@@ -163,6 +214,7 @@ impl Session {
                 times.into_iter().for_each(|times| timings.push(now, times));
             }
         }
+        answer(context, pick, drawing, truth, world, view, &frame)?;
         if !view.compares_with_truth() {
             truth.stop();
             return Ok(());
@@ -180,14 +232,50 @@ impl Session {
         truth.advance(context, drawing, &world.scene, &shot, distance)
     }
 
+    /// Requests the left side's picture, to be saved: as it is shown, or drawn anew at another size. `None` before the first
+    /// picture.
+    ///
+    /// # Errors
+    /// When the picture cannot be drawn or read back.
+    pub fn request_picture(&mut self, size: Option<[u32; 2]>) -> Result<Option<ComingPicture>, RenderError> {
+        let Some(size) = size else { return self.drawing.request_picture(0) };
+        let frame = self.view.frame(&self.world.scene, size)?;
+        self.drawing.request_frame(0, &Frame { show: self.view.mode.show(), ..frame }).map(Some)
+    }
+
+    /// Returns whether a pixel's question waits for its answer.
+    pub fn is_answering(&self) -> bool {
+        self.pick.as_ref().is_some_and(|pick| pick.answer().is_none())
+    }
+
     /// Gives up what cannot be drawn, so that it is not tried again with every frame.
     pub fn give_up(&mut self) {
         self.truth.stop();
         self.view.truth = false;
+        self.pick = None;
     }
 
     /// Returns what the pictures and the comparison wait for, in words for people.
     pub fn waits_for(&self) -> impl Iterator<Item = &str> {
         self.casters.waits_for().into_iter().chain(self.truth.waits_for().filter(|_| self.view.truth))
     }
+}
+
+/// Goes on with the question about a pixel, and drops it where its picture is not shown any more.
+fn answer(
+    context: &egui::Context,
+    pick: &mut Option<Pick>,
+    drawing: &mut Drawing,
+    truth: &mut TruthOverlay,
+    world: &World,
+    view: &ViewState,
+    frame: &Frame,
+) -> Result<(), RenderError> {
+    let (camera, lights) = (view.camera(), view.lights(&world.scene));
+    let picture = Picture { frame, settings: view.sides(), camera: &camera, lights: &lights };
+    if pick.take_if(|pick| !pick.is_of(&picture)).is_some() {
+        return Ok(());
+    }
+    let Some(pick) = pick else { return Ok(()) };
+    pick.advance(drawing, &picture, || truth.bvh_at(context, &world.scene, &frame.pose))
 }

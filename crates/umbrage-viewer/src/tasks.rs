@@ -20,8 +20,8 @@ pub struct Tasks {
     said: Said,
     /// A file that is chosen in a dialog, or read.
     pub opening: Option<Opening>,
-    /// A picture that will be saved.
-    pub saving: Option<ComingPicture>,
+    /// A picture that will be saved, and the name of its file.
+    pub saving: Option<(String, ComingPicture)>,
 }
 
 impl Tasks {
@@ -58,8 +58,9 @@ impl Tasks {
         let mut events = Vec::new();
         if let Some(done) = self.loading.as_ref().and_then(Task::poll) {
             self.loading = None;
-            events.push(match done.and_then(|(source, loaded)| Ok((source, loaded?))) {
-                Ok((source, imported)) => Event::Loaded(source, Box::new(imported)),
+            events.push(match done {
+                Ok((source, Ok(imported))) => Event::Loaded(source, Box::new(imported)),
+                Ok((source, Err(why))) => Event::NotLoaded(source, why),
                 Err(why) => Event::Failed(why),
             });
         }
@@ -70,9 +71,9 @@ impl Tasks {
                 Err(why) => events.push(Event::Failed(why)),
             }
         }
-        if let Some(read) = self.saving.as_ref().and_then(ComingPicture::take) {
-            self.saving = None;
-            events.push(Event::PictureRead(read.map_err(|why| why.to_string())));
+        if let Some(read) = self.saving.as_ref().and_then(|(_, coming)| coming.take()) {
+            let name = self.saving.take().map(|(name, _)| name).unwrap_or_default();
+            events.push(Event::PictureRead(name, read.map_err(|why| why.to_string())));
         }
         events
     }
@@ -83,9 +84,23 @@ async fn load(source: &Source, said: &Said) -> Result<Imported, String> {
     #[cfg(target_arch = "wasm32")]
     {
         crate::browser::next_moment().await;
-        if let Source::Bytes { name, bytes } = source {
-            return crate::browser::jobs::read_world_beside(name, bytes, said).await;
+        match source {
+            Source::Named(_) => {}
+            Source::Address(address) => return fetch(address, said).await,
+            Source::Bytes { name, bytes } => {
+                return crate::browser::jobs::read_world_beside(name, bytes, said).await;
+            }
         }
     }
     source.load(&|step| said.say(step.to_string()))
+}
+
+/// Fetches the file of a world, and reads it in a worker.
+#[cfg(target_arch = "wasm32")]
+async fn fetch(address: &str, said: &Said) -> Result<Imported, String> {
+    let failed = |why: String| format!("`load={address}` is left out: {why}");
+    said.say("waiting for the file");
+    let bytes = crate::browser::fetch(address).await.map_err(failed)?;
+    let name = crate::load::name_of(address, &bytes).map_err(failed)?;
+    crate::browser::jobs::read_world_beside(&name, &bytes, said).await.map_err(failed)
 }

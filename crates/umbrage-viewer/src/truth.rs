@@ -127,8 +127,11 @@ impl TruthOverlay {
         Ok(())
     }
 
-    /// The BVH of the scene at a time; `None` while one is built. One is built at a time.
-    fn bvh_at(
+    /// Returns the BVH of the scene at a time; `None` while one is built. One is built at a time.
+    ///
+    /// # Errors
+    /// When it cannot be built.
+    pub fn bvh_at(
         &mut self,
         context: &egui::Context,
         scene: &Arc<Scene>,

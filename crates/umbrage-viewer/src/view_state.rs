@@ -8,6 +8,7 @@ use umbrage_scene::{Camera, Light, LightKind, Pose, Scene, Shining};
 
 use crate::flight::Flight;
 use crate::lines::PlanLines;
+use crate::moved_lights::MovedLights;
 use crate::sky;
 
 /// What the picture shows of the world's surfaces.
@@ -58,6 +59,10 @@ pub struct ViewState {
     pub map_look: MapLook,
     /// The hour of the day that places the sun, local solar time; the world's own sun where absent.
     pub hour: Option<f32>,
+    /// The lights that were moved.
+    pub moved_lights: MovedLights,
+    /// Whether lights have handles in the picture.
+    pub handles: bool,
     /// Time of the animation, seconds from its start.
     pub seconds: f32,
     /// The index of the world's animation that is shown; absent where everything stands as it is at rest.
@@ -78,6 +83,8 @@ pub struct ViewState {
     pub panels: bool,
     /// Whether the window that lists the keys is open.
     pub help: bool,
+    /// Whether a click on the picture asks why its shadow is as it is there.
+    pub asks: bool,
 }
 
 /// A position on a camera path. The default is its start, in motion.
@@ -105,6 +112,8 @@ impl ViewState {
             // What is drawn lies within a few hundredths of the range, where all greys are alike.
             map_look: MapLook { stretch: true, ..MapLook::default() },
             hour: None,
+            moved_lights: MovedLights::new(),
+            handles: false,
             seconds: 0.0,
             animation: scene.rig.playing,
             playing: false,
@@ -115,6 +124,7 @@ impl ViewState {
             flight: flight_at(scene, camera),
             panels: true,
             help: false,
+            asks: false,
         }
     }
 
@@ -129,6 +139,7 @@ impl ViewState {
             exposure,
             frozen_camera: None,
             hour: None,
+            moved_lights: MovedLights::new(),
             seconds: 0.0,
             animation: scene.rig.playing,
             path: None,
@@ -159,7 +170,17 @@ impl ViewState {
 
     /// Returns which of the world's lights shine, at most [`umbrage::MAX_LIGHTS`], and what is to be said about the others.
     pub fn shining(&self, scene: &Scene) -> Shining {
-        Shining::choose(&scene.lights, &self.camera(), &self.pose(scene), umbrage::MAX_LIGHTS)
+        Shining::choose(&self.all_lights(scene), &self.camera(), &self.pose(scene), umbrage::MAX_LIGHTS)
+    }
+
+    /// Returns all lights of the world, as they were moved.
+    pub fn all_lights(&self, scene: &Scene) -> Vec<Light> {
+        let pose = self.pose(scene);
+        let moved = |(number, light): (usize, &Light)| match self.moved_lights.get(&number) {
+            Some(moved) => moved.of(light, &pose),
+            None => light.clone(),
+        };
+        scene.lights.iter().enumerate().map(moved).collect()
     }
 
     /// Returns the lights that shine, with the sun where the chosen hour puts it.

@@ -11,15 +11,20 @@ use std::sync::Arc;
 use eframe::{egui, egui_wgpu};
 use umbrage::Settings;
 use umbrage_render::{Exposure, Gpu};
-use umbrage_scene::{Camera, Scene};
+use umbrage_scene::{Camera, Scene, worlds};
 
 use crate::action::Action;
+use crate::bookmarks::Bookmarks;
 use crate::device_errors::DeviceErrors;
 use crate::drawing::Drawing;
 use crate::input;
+use crate::link::Link;
 use crate::load::Source;
 use crate::messages::Messages;
 use crate::panels::{self, PanelState};
+use crate::pick::Answer;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::reload::Reload;
 use crate::session::Session;
 use crate::tasks::Tasks;
 use crate::truth::Figures;
@@ -45,8 +50,15 @@ pub struct Start {
     pub haze: bool,
     /// The state of the view to go on with; it goes before all but `source` and `scene`.
     pub view: Option<ViewState>,
-    /// The first message.
-    pub message: Option<String>,
+    /// The link to show once the world is there; it goes before all but `source`, `scene` and `view`.
+    pub link: Option<Link>,
+    /// The settings file that is read again when it changes.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub reload: Option<Reload>,
+    /// Whether bookmarks are kept for the next time.
+    pub keeps: bool,
+    /// The first messages.
+    pub messages: Vec<String>,
 }
 
 impl Start {
@@ -61,8 +73,18 @@ impl Start {
             exposure: Exposure::default(),
             haze: true,
             view: None,
-            message: None,
+            link: None,
+            #[cfg(not(target_arch = "wasm32"))]
+            reload: None,
+            keeps: false,
+            messages: Vec::new(),
         }
+    }
+
+    /// Begins with what a link says.
+    pub fn of_link(link: Link) -> Self {
+        let source = link.source().unwrap_or_else(|| Source::Named(worlds::DEFAULT.to_owned()));
+        Self { link: Some(link), ..Self::new(source, Settings::default()) }
     }
 }
 
@@ -74,8 +96,11 @@ pub struct Viewer {
     start: Start,
     /// What is open; nothing before the first world has come.
     session: Option<Session>,
+    /// What is shown as soon as the world that is loaded is there.
+    link: Option<Link>,
     tasks: Tasks,
     messages: Messages,
+    bookmarks: Bookmarks,
     panels: PanelState,
 }
 
@@ -101,16 +126,28 @@ impl Viewer {
             window,
             start,
             session: None,
+            link: None,
             tasks: Tasks::default(),
             messages: Messages::default(),
+            bookmarks: Bookmarks::default(),
             panels: PanelState::default(),
         };
-        if let Some(message) = viewer.start.message.take() {
-            viewer.messages.say(message);
+        std::mem::take(&mut viewer.start.messages)
+            .into_iter()
+            .for_each(|message| viewer.messages.say(message));
+        if viewer.start.keeps {
+            match Bookmarks::read() {
+                Ok(bookmarks) => viewer.bookmarks = bookmarks,
+                Err(why) => viewer.messages.say(why),
+            }
         }
+        let link = viewer.start.link.take();
         match viewer.start.scene.take() {
-            Some(scene) => viewer.open_world(viewer.start.source.clone(), scene),
-            None => viewer.load(&creation.egui_ctx, viewer.start.source.clone()),
+            Some(scene) => {
+                viewer.link = link;
+                viewer.open_world(viewer.start.source.clone(), scene);
+            }
+            None => viewer.load_link(&creation.egui_ctx, viewer.start.source.clone(), link),
         }
         Ok(viewer)
     }
@@ -118,7 +155,7 @@ impl Viewer {
     /// Returns what begins a program that goes on as this one is now.
     pub fn restart(&self) -> Start {
         match &self.session {
-            None => self.start.clone(),
+            None => Start { link: self.link.clone(), ..self.start.clone() },
             Some(Session { world, view, .. }) => Start {
                 source: world.source.clone(),
                 scene: Some(Arc::clone(&world.scene)),
@@ -178,6 +215,16 @@ impl Viewer {
         self.session.as_ref().is_some_and(Session::is_making_casters)
     }
 
+    /// Returns whether someone asks why of a pixel, and there is no answer yet.
+    pub fn is_answering(&self) -> bool {
+        self.session.as_ref().is_some_and(Session::is_answering)
+    }
+
+    /// Returns what is said of the pixel that someone asks why of.
+    pub fn answer(&self) -> Option<&Answer> {
+        self.session.as_ref()?.pick.as_ref()?.answer()
+    }
+
     fn is_tracing(&self) -> bool {
         self.session.as_ref().is_some_and(|session| session.truth.is_tracing())
     }
@@ -194,16 +241,24 @@ impl Viewer {
 
     /// Starts to load a world. The present one stays until the other is there.
     pub fn load(&mut self, context: &egui::Context, source: Source) {
+        self.load_link(context, source, None);
+    }
+
+    /// The same with a link that is shown when the world is there.
+    fn load_link(&mut self, context: &egui::Context, source: Source, link: Option<Link>) {
+        self.link = link;
         self.tasks.load(context, source);
     }
 
     /// Opens a world, if the device takes it; if not, the present one stays.
     fn open_world(&mut self, source: Source, scene: Arc<Scene>) {
-        let view = match (&self.session, self.start.view.take()) {
+        let mut view = match (&self.session, self.start.view.take()) {
             (Some(session), _) => session.view.moved_to(&scene),
             (None, Some(view)) => view,
             (None, None) => self.first_view(&scene),
         };
+        let left_out = self.link.take().map(|link| link.apply(&mut view, &scene)).unwrap_or_default();
+        left_out.into_iter().for_each(|message| self.messages.say(message));
         match Drawing::new(&self.gpu, &self.window, &scene, view.sides()) {
             Ok(drawing) => {
                 view.shining(&scene).warnings.into_iter().for_each(|warning| self.messages.say(warning));
@@ -248,6 +303,8 @@ impl eframe::App for Viewer {
     fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
         self.poll(context);
         #[cfg(not(target_arch = "wasm32"))]
+        self.read_settings_again(context);
+        #[cfg(not(target_arch = "wasm32"))]
         if self.lost().is_some() {
             context.send_viewport_cmd(egui::ViewportCommand::Close);
         }
@@ -263,7 +320,8 @@ impl eframe::App for Viewer {
         let moves = self.session.as_mut().is_some_and(|session| session.go_forward(ui.ctx()));
         if self.session.as_ref().is_none_or(|session| session.view.panels) {
             let adapter = self.gpu.adapter.to_string();
-            let actions = panels::show(ui, self.session.as_mut(), &mut self.panels, &adapter);
+            let actions =
+                panels::show(ui, self.session.as_mut(), &mut self.panels, &self.bookmarks, &adapter);
             self.act(ui.ctx(), actions);
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui));
@@ -271,8 +329,16 @@ impl eframe::App for Viewer {
             let actions: Vec<Action> = panels::windows(ui.ctx(), session, &mut self.panels);
             self.act(ui.ctx(), actions);
         }
+        if let Some(session) = self.session.as_mut().filter(|_| !ui.input(|input| input.pointer.any_down())) {
+            session.history.close_step();
+        }
         // A task paints when it is done; until then the spinner that shows it must turn.
-        if moves || self.tasks.need_repaint() || self.is_making_casters() || self.is_tracing() {
+        if moves
+            || self.tasks.need_repaint()
+            || self.is_making_casters()
+            || self.is_tracing()
+            || self.is_answering()
+        {
             ui.ctx().request_repaint();
         }
     }

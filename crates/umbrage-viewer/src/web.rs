@@ -6,19 +6,17 @@ use std::sync::Arc;
 
 use eframe::wasm_bindgen::JsCast as _;
 use eframe::{egui, egui_wgpu, wgpu};
-use umbrage::Settings;
 use umbrage_render::Gpu;
-use umbrage_scene::worlds;
 use wasm_bindgen::JsValue;
 use web_sys::js_sys;
 
 use crate::browser::{dispatch, pause};
-use crate::load::Source;
+use crate::link::Link;
 use crate::probe::Probe;
 use crate::viewer::{Start, Viewer};
 
-/// Runs the viewer on the canvas with the id `umbrage`. The page's address may name a world, a preset and settings:
-/// `?world=knights&preset=soft&set=splits=3&set=lambda=0.9`.
+/// Runs the viewer on the canvas with the id `umbrage`. The page's address may be a [`Link`], as
+/// `?world=knights&preset=soft&set=splits=3`; with `probe` beside it, scripts learn where widgets are.
 ///
 /// # Errors
 /// When there is no such canvas, or no WebGPU.
@@ -28,9 +26,10 @@ pub async fn start() -> Result<(), JsValue> {
     let document = window.document().ok_or("no document")?;
     let canvas = document.get_element_by_id("umbrage").ok_or("no canvas with the id `umbrage`")?;
     let canvas: web_sys::HtmlCanvasElement = canvas.dyn_into()?;
-    let query = web_sys::UrlSearchParams::new_with_str(&window.location().search()?)?;
-    let mut start = start_from(&query);
-    let probes = query.has("probe");
+    let query = window.location().search()? + &window.location().hash()?;
+    let (link, messages) = Link::parse(&query);
+    let mut start = Start { messages, keeps: true, ..Start::of_link(link) };
+    let probes = query.split(['?', '&', '#']).any(|part| part == "probe" || part.starts_with("probe="));
     loop {
         let runner = eframe::WebRunner::new();
         let held: Rc<RefCell<Option<Rc<RefCell<Viewer>>>>> = Rc::default();
@@ -54,23 +53,11 @@ pub async fn start() -> Result<(), JsValue> {
         let viewer = held.borrow_mut().take();
         let message = format!("the graphics device was lost ({why}); this is another one");
         if let Some(viewer) = viewer {
-            start = Start { message: Some(message), ..viewer.borrow().restart() };
+            start = Start { messages: vec![message], ..viewer.borrow().restart() };
         }
         runner.destroy();
         pause(500).await;
     }
-}
-
-/// The world and the settings that the page's address names.
-fn start_from(query: &web_sys::UrlSearchParams) -> Start {
-    let world = query.get("world").unwrap_or_else(|| worlds::DEFAULT.to_owned());
-    let sets = query.get_all("set").iter().filter_map(|set| set.as_string()).collect::<Vec<_>>();
-    let preset = query.get("preset").unwrap_or_else(|| "default".to_owned());
-    let (settings, message) = match umbrage_lab::settings::asked(&preset, &sets) {
-        Ok(settings) => (settings, None),
-        Err(why) => (Settings::default(), Some(why.to_string())),
-    };
-    Start { message, ..Start::new(Source::Named(world), settings) }
 }
 
 fn options() -> eframe::WebOptions {
@@ -103,7 +90,7 @@ impl eframe::App for Page {
 }
 
 /// Sets the page's global `umbrage` for scripts: world, settings, whether the viewer is at rest, what is loaded and how
-/// far it is, messages, figures of the comparison with ground truth; and the widgets' rectangles, where the page's address
+/// far it is, messages, figures of the comparison with ground truth, why the pixel is as it is that someone asks about; and the widgets' rectangles, where the page's address
 /// has `probe`.
 fn publish(viewer: &Viewer, probe: Option<&Probe>) {
     let state = js_sys::Object::new();
@@ -126,6 +113,9 @@ fn publish(viewer: &Viewer, probe: Option<&Probe>) {
         set("judged", (figures.tally.judged as f64).into());
         set("misShadowed", figures.tally.mis_shadowed().into());
         set("meanError", figures.tally.mae().into());
+    }
+    if let Some(answer) = viewer.answer() {
+        set("why", answer.to_string().into());
     }
     let widgets = js_sys::Object::new();
     for (name, rect) in probe.map(Probe::widgets).unwrap_or_default() {

@@ -20,7 +20,7 @@ impl World {
     pub fn new(source: Source, scene: Arc<Scene>) -> Self {
         let source = match source {
             Source::Bytes { name, .. } => Source::Bytes { name, bytes: Vec::new() },
-            named @ Source::Named(_) => named,
+            named @ (Source::Named(_) | Source::Address(_)) => named,
         };
         Self { source, scene }
     }

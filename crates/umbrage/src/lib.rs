@@ -15,6 +15,7 @@ mod caster_state;
 mod casting;
 mod changed;
 mod coming;
+mod coming_maps;
 mod compute;
 mod contact;
 mod depth_pipeline;
@@ -44,10 +45,10 @@ pub use caster_pipeline::{CasterPipeline, CasterStage};
 pub use caster_state::CasterState;
 pub use casting::Casting;
 pub use changed::Changed;
+pub use coming_maps::ComingMaps;
 pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
 pub use kept::Share;
-pub use maps::ComingMaps;
 pub use occluders::{OccluderRoom, Occluders};
 pub use refit::BentMesh;
 pub use resolve::Resolve;
@@ -63,8 +64,8 @@ pub use umbrage_core::{
     SettingsError, Shade, ShaderNumber, ShaderValue, ShadowPlan, ShadowView, SoftMoments, Splits, Storage,
     Stored, SummedVariance, TexelBasis, TexelExtent, TexelPrecision, Tile, TransparentCasters, Turn,
     Variance, ViewKey, Vsm, Warp, balanced_warp_near, ideal_storage_factor, kernel,
-    largest_perspective_error, perspective_error, perspective_texel_extent, plan, schema, split_distances,
-    storage_factor, texel_extent, view_of,
+    largest_perspective_error, perspective_error, perspective_texel_extent, place_of, plan, schema,
+    split_distances, storage_factor, texel_extent, view_of,
 };
 pub use {glam, umbrage_occluders as casters, umbrage_wgsl as shaders, wgpu};
 

@@ -45,6 +45,9 @@ pub struct ViewArgs {
     pub shadows: ShadowArgs,
     #[command(flatten)]
     pub adapter: AdapterArgs,
+    /// What a link says instead of other options: an address that `Copy link` gave, or what stands behind its question mark
+    #[arg(long, value_name = "LINK", conflicts_with_all = ["camera", "eye", "time", "animation", "preset", "shadows", "set", "exposure", "exposed_for", "no_haze"])]
+    pub link: Option<String>,
     /// Fly the world's path for so many frames, print what the window adds to a frame's time, and close
     #[arg(long, value_name = "FRAMES", value_parser = clap::value_parser!(u32).range(4..=10_000))]
     pub bench: Option<u32>,

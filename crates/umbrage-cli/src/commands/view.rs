@@ -7,30 +7,23 @@ use umbrage_judge::statistics::Spread;
 use umbrage_scene::Scene;
 use umbrage_viewer::Start;
 use umbrage_viewer::bench::{self, Benched, Pair};
+use umbrage_viewer::link::Link;
 use umbrage_viewer::load::Source;
 use umbrage_viewer::native::{self, Options};
+use umbrage_viewer::reload::Reload;
 
 use crate::args::{DemoArgs, ViewArgs, WorldArgs};
 use crate::failure::{Failure, Outcome};
 use crate::{output, settings, world};
 
 pub fn run(args: &ViewArgs) -> Outcome {
-    let settings = settings::resolve(&args.shadows)?;
-    let mut scene = world::load(&args.world, 0)?;
-    world::let_cast(&mut scene, &args.casting)?;
-    world::play(&mut scene, &args.when)?;
-    scene.environment = world::environment(&args.look)?;
-    let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
+    let start = match &args.link {
+        Some(text) => of_link(args, text)?,
+        None => of_words(args)?,
+    };
     if !native::has_display() {
         return Err(work(native::NO_DISPLAY.to_owned()));
     }
-    let start = Start {
-        camera: Some(camera),
-        seconds: args.when.time,
-        exposure: args.look.exposure(),
-        haze: !args.look.no_haze,
-        ..of_scene(&args.world, scene, settings)
-    };
     let size = args.size.map(|(width, height)| [width as f32, height as f32]);
     let options = Options { adapter: args.adapter.adapter.clone(), size, unlimited: false };
     match args.bench {
@@ -40,6 +33,49 @@ pub fn run(args: &ViewArgs) -> Outcome {
             Ok(output::print(&text(&benched))?)
         }
     }
+}
+
+/// What the options ask for.
+fn of_words(args: &ViewArgs) -> Outcome<Start> {
+    let settings = settings::resolve(&args.shadows)?;
+    let scene = open(args, &args.world)?;
+    let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
+    Ok(Start {
+        camera: Some(camera),
+        seconds: args.when.time,
+        exposure: args.look.exposure(),
+        haze: !args.look.no_haze,
+        reload: reload(args),
+        ..of_scene(&args.world, scene, settings)
+    })
+}
+
+/// The settings file, to be read again when it changes.
+fn reload(args: &ViewArgs) -> Option<Reload> {
+    let path = args.shadows.shadows.clone()?;
+    let shadows = args.shadows.clone();
+    Some(Reload::new(path, Arc::new(move || settings::resolve(&shadows).map_err(|why| why.to_string()))))
+}
+
+/// What a link asks for; the window says what of it was left out.
+fn of_link(args: &ViewArgs, text: &str) -> Outcome<Start> {
+    let (mut link, mut messages) = Link::parse(text);
+    if let Some(address) = link.load.clone() {
+        messages.extend(Source::Address(address).load(&|_| ()).err());
+        link = link.of_any_world();
+    }
+    let name = link.world.clone().unwrap_or_else(|| args.world.clone());
+    let scene = open(args, &name)?;
+    Ok(Start { link: Some(link), messages, ..of_scene(&name, scene, Settings::default()) })
+}
+
+/// A world, as the options change it.
+fn open(args: &ViewArgs, name: &str) -> Outcome<Scene> {
+    let mut scene = world::load(name, 0)?;
+    world::let_cast(&mut scene, &args.casting)?;
+    world::play(&mut scene, &args.when)?;
+    scene.environment = world::environment(&args.look)?;
+    Ok(scene)
 }
 
 /// Whether `umbrage demo` may open a window.
@@ -55,12 +91,13 @@ pub fn of_demo(args: &DemoArgs, scene: Scene) -> Outcome {
 }
 
 fn of_scene(name: &str, scene: Scene, settings: Settings) -> Start {
-    Start { scene: Some(Arc::new(scene)), ..Start::new(Source::Named(name.to_owned()), settings) }
+    let source = Source::Named(name.to_owned());
+    Start { scene: Some(Arc::new(scene)), keeps: true, ..Start::new(source, settings) }
 }
 
 /// What is seen, as the other commands ask for it.
 fn seen(args: &ViewArgs) -> WorldArgs {
-    let ViewArgs { world, place, when, size: _, look: _, casting, shadows: _, adapter: _, bench: _ } = args;
+    let ViewArgs { world, place, when, casting, .. } = args;
     WorldArgs {
         world: world.clone(),
         place: place.clone(),

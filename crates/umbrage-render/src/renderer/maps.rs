@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::Vec2;
-use umbrage::MapTexels;
+use umbrage::{ComingMaps, MapTexels};
 
 use super::Renderer;
 use crate::drawn::{Drawn, Planned};
@@ -31,6 +31,19 @@ impl Renderer {
     pub fn maps(&self, drawn: &Drawn) -> Result<MapTexels, RenderError> {
         self.with_maps_of(drawn)?;
         Ok(self.shadows.read_maps(&self.gpu.device, &self.gpu.queue)?)
+    }
+
+    /// Starts to copy the shadow maps of a frame to the CPU without waiting: [`ComingMaps::take`] has them when they have come.
+    ///
+    /// # Errors
+    /// [`RenderError::MapsGone`] when they are not the frame's any more; when the device cannot copy depth (GL), or the maps
+    /// exceed its buffers.
+    pub fn coming_maps(&self, drawn: &Drawn) -> Result<ComingMaps, RenderError> {
+        self.with_maps_of(drawn)?;
+        let mut encoder = self.gpu.encoder("Renderer::coming_maps");
+        let coming = self.shadows.copy_maps(&self.gpu.device, &mut encoder)?;
+        self.gpu.queue.submit([encoder.finish()]);
+        Ok(coming)
     }
 
     /// Returns how much of a light the shadow maps of a frame let through to points, from 0 to 1. Whether the camera sees

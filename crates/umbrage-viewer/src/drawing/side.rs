@@ -7,6 +7,7 @@ use eframe::{egui, egui_wgpu, wgpu};
 use umbrage::{Exact, Settings};
 use umbrage_render::{ComingPicture, Drawn, Frame, MapLook, RayCasters, RenderError, Renderer, Show};
 
+use super::coming::Coming;
 use super::texture::EguiTexture;
 use crate::timings::PassTimes;
 
@@ -114,6 +115,27 @@ impl Side {
 
     /// Draws another picture of what is shown, to be read back: from its own shadow maps, where there are any.
     pub fn request(&mut self, show: Show) -> Result<Option<ComingPicture>, RenderError> {
+        let beside = self.beside_shown(show)?;
+        beside.map(|beside| beside.coming_picture()).transpose()
+    }
+
+    /// Draws another frame, whose times nobody wants, and requests its picture.
+    pub fn request_frame(&mut self, frame: &Frame) -> Result<ComingPicture, RenderError> {
+        let drawn = self.renderer.draw(frame)?;
+        self.awaited.push_back(None);
+        drawn.coming_picture()
+    }
+
+    /// Requests the visibility of a light, and the shadow maps that it was read from.
+    pub fn ask(&mut self, light: usize) -> Result<Option<Coming>, RenderError> {
+        let Some(beside) = self.beside_shown(Show::Visibility(light))? else { return Ok(None) };
+        // Not every device copies depth.
+        let maps = self.renderer.coming_maps(&beside).ok();
+        Ok(Some(Coming::new(beside.plan().clone(), beside.coming_picture()?, maps)))
+    }
+
+    /// Draws another picture of what is shown, whose times nobody wants; `None` before the first one.
+    fn beside_shown(&mut self, show: Show) -> Result<Option<Drawn>, RenderError> {
         let Some(Shown { frame, drawn, .. }) = &self.shown else { return Ok(None) };
         let beside = if !drawn.plan().views().is_empty() && self.renderer.has_maps_of(drawn) {
             self.renderer.show(drawn, &show)?
@@ -121,7 +143,7 @@ impl Side {
             self.renderer.draw(&Frame { show, ..frame.clone() })?
         };
         self.awaited.push_back(None);
-        beside.coming_picture().map(Some)
+        Ok(Some(beside))
     }
 
     /// Returns what came of drawing the frame that is shown.

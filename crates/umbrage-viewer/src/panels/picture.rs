@@ -2,7 +2,9 @@
 
 use eframe::egui::{self, Color32, Pos2, Rect, Sense, Stroke, pos2};
 
+use super::light_handles;
 use crate::action::{Action, Toggle};
+use crate::pick::{self, Pick};
 use crate::session::Session;
 use crate::view_state::ViewState;
 use crate::{colours, input, lines};
@@ -30,17 +32,44 @@ pub fn show(ui: &mut egui::Ui, session: Option<&mut Session>, is_lost: bool) -> 
         ui.ctx().request_repaint();
     }
     let mut actions = Vec::new();
+    let size = size_px(rect, ui.pixels_per_point(), session.drawing.max_side_px());
+    ask(ui, &response, session, size);
     if !is_lost {
-        let size = size_px(rect, ui.pixels_per_point(), session.drawing.max_side_px());
         if let Err(why) = session.draw(ui.ctx(), size) {
             session.give_up();
             actions.push(Action::Say(format!("this cannot be drawn: {why}")));
         }
     }
     paint(ui, session, rect);
+    mark(ui, session, rect, size);
+    if session.view.handles {
+        light_handles::show(ui, &mut session.view, &session.world.scene, rect);
+    }
     divider(ui, &mut session.view, rect);
     actions.extend(show_panels_button(ui, &session.view, rect));
     (rect, actions)
+}
+
+/// Asks why of the pixel that is clicked on.
+fn ask(ui: &egui::Ui, response: &egui::Response, session: &mut Session, size: [u32; 2]) {
+    let asks = session.view.asks || ui.input(|input| input.modifiers.command);
+    let place = response.interact_pointer_pos().filter(|_| response.clicked() && asks);
+    if let Some(place) = place {
+        let view = &session.view;
+        let is_right = place.x >= response.rect.left() + response.rect.width() * view.divider;
+        let side = usize::from(view.compare && is_right);
+        let light = session.pick.as_ref().map_or(0, |pick| pick.light);
+        session.pick = Some(Pick::new(pick::pixel_at(place, response.rect, size), side, light));
+    }
+}
+
+/// Marks the pixel that is asked about.
+fn mark(ui: &egui::Ui, session: &Session, rect: Rect, size: [u32; 2]) {
+    let Some(pick) = &session.pick else { return };
+    let painter = ui.painter_at(rect);
+    let place = pick::place_of(pick.pixel, rect, size);
+    painter.circle_stroke(place, 7.0, Stroke::new(3.0, Color32::BLACK));
+    painter.circle_stroke(place, 7.0, Stroke::new(1.5, Color32::WHITE));
 }
 
 /// How many pixels a rectangle has, at least one and at most as many as the device can draw.

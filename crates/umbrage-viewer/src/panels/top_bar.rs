@@ -3,31 +3,50 @@
 use eframe::egui;
 use umbrage_scene::{Scene, worlds};
 
-use crate::action::{Action, Toggle};
+use super::PanelState;
+use super::save_picture::Form;
+use crate::action::{Action, SavedPicture, Toggle};
+use crate::bookmarks::Bookmarks;
 use crate::flight::Motion;
+use crate::lessons::LESSONS;
 use crate::load::Source;
 use crate::session::Session;
 use crate::view_state::{PathPosition, ViewState};
 
-/// Shows the bar. `path` is the path of a world as it is typed, and `adapter` names the graphics adapter.
+/// Shows the bar. `adapter` names the graphics adapter.
 pub fn show(
     ui: &mut egui::Ui,
     session: Option<&mut Session>,
-    path: &mut String,
+    state: &mut PanelState,
+    bookmarks: &Bookmarks,
     adapter: &str,
 ) -> Vec<Action> {
     egui::MenuBar::new()
         .ui(ui, |ui| {
-            let menu = ui.menu_button("World", |ui| world_menu(ui, path));
+            let menu = ui.menu_button("World", |ui| world_menu(ui, &mut state.path));
             menu.response.on_hover_text("Another world, or a file of yours.");
             let mut actions: Vec<Action> = menu.inner.flatten().into_iter().collect();
             let Some(Session { world, view, .. }) = session else { return actions };
-            let menu = ui.menu_button("Camera", |ui| camera_menu(ui, view, &world.scene));
-            menu.response.on_hover_text("The world's cameras, flying and orbit.");
+            let menu = ui.menu_button("Camera", |ui| {
+                let chosen = camera_menu(ui, view, &world.scene);
+                ui.separator();
+                chosen.or(bookmark_menu(ui, bookmarks, world.source.name(), &mut state.bookmark))
+            });
+            menu.response.on_hover_text("The world's cameras and your own, flying and orbit.");
             actions.extend(menu.inner.flatten());
-            let menu = ui.menu_button("Export", export_menu);
+            let menu = ui.menu_button("Lessons", lesson_menu);
+            menu.response.on_hover_text("Eight pictures that explain shadow maps, one step each.");
+            actions.extend(menu.inner.flatten());
+            let menu = ui.menu_button("Export", |ui| {
+                let form = || Form::of_world(&world.scene.name);
+                export_menu(ui, &mut state.picture, form)
+            });
             menu.response.on_hover_text("Settings, pictures and experiments to keep.");
             actions.extend(menu.inner.flatten());
+            let help = "Copies a link to what is shown: world, camera, time, settings and overlays. It opens in the page, and with `umbrage view --link`.";
+            if ui.button("Copy link").on_hover_text(help).clicked() {
+                actions.push(Action::CopyLink);
+            }
             if ui.button("Keys").on_hover_text("Lists keys and gestures (F1).").clicked() {
                 actions.push(Action::Toggle(Toggle::Help));
             }
@@ -58,6 +77,12 @@ fn world_menu(ui: &mut egui::Ui, path: &mut String) -> Option<Action> {
     }
     // A page cannot read paths.
     if cfg!(target_arch = "wasm32") { None } else { path_field(ui, path) }
+}
+
+fn lesson_menu(ui: &mut egui::Ui) -> Option<Action> {
+    let mut numbered = LESSONS.iter().enumerate();
+    let chosen = numbered.find(|(i, lesson)| item(ui, &format!("{} {}", i + 1, lesson.title), lesson.text));
+    chosen.map(|(number, _)| Action::Learn(number))
 }
 
 fn path_field(ui: &mut egui::Ui, path: &mut String) -> Option<Action> {
@@ -96,7 +121,36 @@ fn camera_menu(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option
     None
 }
 
-fn export_menu(ui: &mut egui::Ui) -> Option<Action> {
+/// The saved cameras of a world, and the field that saves another one.
+fn bookmark_menu(ui: &mut egui::Ui, bookmarks: &Bookmarks, world: &str, name: &mut String) -> Option<Action> {
+    let mut action = None;
+    for bookmark in bookmarks.of(world) {
+        ui.horizontal(|ui| {
+            if item(ui, &bookmark.name, "A camera that you saved.") {
+                action = Some(Action::GoToBookmark(bookmark.clone()));
+            }
+            let delete = ui.small_button("×").on_hover_text("Deletes this bookmark.");
+            let label = format!("delete {}", bookmark.name);
+            delete.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
+            if delete.clicked() {
+                action = Some(Action::DeleteBookmark(bookmark.clone()));
+            }
+        });
+    }
+    let help =
+        "The name of a bookmark: the camera as it is now, to come back to. It is kept for the next time.";
+    ui.horizontal(|ui| {
+        let label = ui.label("bookmark");
+        ui.text_edit_singleline(name).labelled_by(label.id).on_hover_text(help);
+        let save = ui.add_enabled(!name.trim().is_empty(), egui::Button::new("save"));
+        if save.on_hover_text("Saves the camera under this name.").clicked() {
+            action = Some(Action::SaveBookmark(std::mem::take(name).trim().to_owned()));
+        }
+    });
+    action
+}
+
+fn export_menu(ui: &mut egui::Ui, picture: &mut Option<Form>, form: impl FnOnce() -> Form) -> Option<Action> {
     let help = "For `umbrage … --shadows FILE.toml`, or to drop here.";
     if item(ui, "Copy settings as TOML", help) {
         return Some(Action::CopyToml);
@@ -106,7 +160,10 @@ fn export_menu(ui: &mut egui::Ui) -> Option<Action> {
     }
     ui.separator();
     if item(ui, "Save the picture", "As umbrage.png, without panels and lines.") {
-        return Some(Action::SavePicture);
+        return Some(Action::SavePicture(SavedPicture { name: "umbrage".to_owned(), size: None }));
+    }
+    if item(ui, "Save the picture as…", "Under a name, and at any size.") {
+        *picture = Some(form());
     }
     let help = "An experiment of this one picture, for `umbrage report`. Where the camera or the sun is not one of the world's, a copy of the world with them goes along.";
     if item(ui, "Save as an experiment", help) {

@@ -7,10 +7,13 @@ use crate::view_state::ViewState;
 
 const HELP: &str = "Rays are traced to every light, tile by tile, once the picture holds still (T). Orange: in shadow, and should be lit. Blue: lit, and should be in shadow. Grey: right, behind glass. Dark: not judged.";
 
+const ASK_HELP: &str = "A click on the picture says which map serves the pixel, what its texel stores, what is true there, and why the two differ (I). Ctrl and a click do so at any time.";
+
 /// Shows the panel.
 pub fn show(ui: &mut egui::Ui, view: &mut ViewState, truth: &TruthOverlay) {
     ui.heading("Ground truth");
     ui.checkbox(&mut view.truth, "show errors").on_hover_text(HELP);
+    ui.checkbox(&mut view.asks, "ask a pixel why").on_hover_text(ASK_HELP);
     if !view.truth {
         return;
     }

@@ -16,6 +16,7 @@ pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Ac
     } else {
         ui.weak("this world has punctual lights and no sun");
     }
+    lights(ui, view);
     super::animation::show(ui, view, &scene.rig);
     camera(ui, view);
     brightness(ui, view, scene);
@@ -34,6 +35,19 @@ pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Ac
     let mut compare = view.compare;
     let box_ = ui.checkbox(&mut compare, "compare two settings");
     box_.on_hover_text("Side by side, with a divider to drag (C).").changed().then_some(Action::ToggleCompare)
+}
+
+/// Whether lights have handles, and the way back to where they were.
+fn lights(ui: &mut egui::Ui, view: &mut ViewState) {
+    ui.horizontal(|ui| {
+        ui.checkbox(&mut view.handles, "move lights").on_hover_text(
+            "Each light has a handle in the picture: drag a lamp to another place, and a sun or a spot to another direction.",
+        );
+        let back = ui.add_enabled(!view.moved_lights.is_empty(), egui::Button::new("put back"));
+        if back.on_hover_text("All lights are where the world has them again.").clicked() {
+            view.moved_lights.clear();
+        }
+    });
 }
 
 /// Exposure and haze.

@@ -2,9 +2,14 @@
 
 use eframe::egui;
 use umbrage::Settings;
+use umbrage_scene::worlds;
 
 use super::Viewer;
-use crate::action::{Action, Toggle};
+use crate::action::{Action, SavedPicture, Toggle};
+use crate::bookmarks::Bookmark;
+use crate::lessons::LESSONS;
+use crate::link::Link;
+use crate::load::Source;
 use crate::session::Session;
 use crate::view_state::PathPosition;
 use crate::{edit, export, files, rust_text};
@@ -22,16 +27,26 @@ impl Viewer {
             Action::GoToCamera(number) => self.go_to_camera(number),
             Action::Toggle(part) => self.toggle(part),
             Action::SetSettings(settings) => self.set_settings(*settings),
+            Action::Undo => self.step(true),
+            Action::Redo => self.step(false),
+            Action::SaveBookmark(name) => self.save_bookmark(name),
+            Action::GoToBookmark(bookmark) => self.go_to_bookmark(&bookmark),
+            Action::DeleteBookmark(bookmark) => {
+                self.bookmarks.delete(&bookmark);
+                self.keep_bookmarks();
+            }
             Action::ToggleCompare => self.toggle_compare(),
             Action::Load(source) => self.load(context, source),
             Action::ChooseFile => self.tasks.opening = Some(files::choose(context)),
             #[cfg(not(target_arch = "wasm32"))]
             Action::ChooseReport => self.tasks.opening = Some(files::choose_report(context)),
+            Action::Learn(number) => self.learn(context, number),
+            Action::CopyLink => self.copy_link(context),
             Action::CopyToml => {
                 self.copy(context, |settings| edit::file(settings).map_err(|why| why.to_string()));
             }
             Action::CopyRust => self.copy(context, rust_text::rust),
-            Action::SavePicture => self.save_picture(),
+            Action::SavePicture(how) => self.save_picture(how),
             Action::SaveExperiment => self.save_experiment(),
             Action::Say(message) => self.messages.say(message),
             Action::CloseMessage(number) => self.messages.close(number),
@@ -52,6 +67,7 @@ impl Viewer {
             Toggle::Maps => view.maps ^= true,
             Toggle::Panels => view.panels ^= true,
             Toggle::Help => view.help ^= true,
+            Toggle::Ask => view.asks ^= true,
         }
     }
 
@@ -70,12 +86,87 @@ impl Viewer {
         }
     }
 
+    fn step(&mut self, back: bool) {
+        let Some(session) = &mut self.session else { return };
+        self.panels.refused = None;
+        if let Err(why) = session.step(back) {
+            self.messages.say(format!("these settings cannot be used here: {why}"));
+        }
+    }
+
+    fn save_bookmark(&mut self, name: String) {
+        let Some(Session { world, view, .. }) = &self.session else { return };
+        let world_name = world.source.name().to_owned();
+        let camera = Link::of(world, view).0.of_camera().to_string();
+        self.bookmarks.save(Bookmark { name, world: world_name, camera });
+        self.keep_bookmarks();
+    }
+
+    fn keep_bookmarks(&mut self) {
+        if let Some(why) = self.start.keeps.then(|| self.bookmarks.write().err()).flatten() {
+            self.messages.say(why);
+        }
+    }
+
+    fn go_to_bookmark(&mut self, bookmark: &Bookmark) {
+        let Some(Session { world, view, .. }) = &mut self.session else { return };
+        let (link, mut messages) = Link::parse(&bookmark.camera);
+        messages.extend(link.go(view, &world.scene));
+        messages.into_iter().for_each(|message| self.messages.say(message));
+    }
+
     fn toggle_compare(&mut self) {
         let Some(session) = &mut self.session else { return };
         self.panels.refused = None;
         if let Err(why) = session.set_compare(!session.view.compare) {
             self.messages.say(format!("there is no room for a second picture: {why}"));
         }
+    }
+
+    fn learn(&mut self, context: &egui::Context, number: usize) {
+        let Some(lesson) = LESSONS.get(number) else { return };
+        self.panels.lesson = Some(number);
+        self.follow(context, lesson.link);
+    }
+
+    /// Shows what a link says: where it names another world, when that is loaded.
+    pub fn follow(&mut self, context: &egui::Context, text: &str) {
+        let (link, messages) = Link::parse(text);
+        messages.into_iter().for_each(|message| self.messages.say(message));
+        let is_open = |source: &Source| self.world().is_some_and(|world| world.source == *source);
+        match link.source().filter(|source| !is_open(source)) {
+            Some(source) => self.load_link(context, source, Some(link)),
+            None => self.show_link(&link),
+        }
+    }
+
+    /// Shows in the world that is open what a link says.
+    fn show_link(&mut self, link: &Link) {
+        let Some(session) = &mut self.session else { return };
+        self.panels.refused = None;
+        match session.show(link) {
+            Ok(left_out) => left_out.into_iter().for_each(|message| self.messages.say(message)),
+            Err(why) => self.messages.say(format!("the settings of the link cannot be used here: {why}")),
+        }
+    }
+
+    /// Goes on where a world could not be loaded: with the one that is open, or the default one, and with what else the link
+    /// says.
+    pub(super) fn go_on_without(&mut self, context: &egui::Context, source: &Source) {
+        let fallback = Source::Named(worlds::DEFAULT.to_owned());
+        let link = self.link.take().map(Link::of_any_world);
+        match (&self.session, link) {
+            (Some(_), Some(link)) => self.show_link(&link),
+            (None, link) if *source != fallback => self.load_link(context, fallback, link),
+            (Some(_) | None, _) => {}
+        }
+    }
+
+    fn copy_link(&mut self, context: &egui::Context) {
+        let Some(Session { world, view, .. }) = &self.session else { return };
+        let (link, message) = Link::of(world, view);
+        context.copy_text(format!("{}{link}", page_address()));
+        message.into_iter().for_each(|message| self.messages.say(message));
     }
 
     fn copy(&mut self, context: &egui::Context, text: impl FnOnce(&Settings) -> Result<String, String>) {
@@ -86,9 +177,9 @@ impl Viewer {
         }
     }
 
-    fn save_picture(&mut self) {
-        match self.session.as_mut().map(|session| session.drawing.request_picture(0)) {
-            Some(Ok(coming)) => self.tasks.saving = coming,
+    fn save_picture(&mut self, SavedPicture { name, size }: SavedPicture) {
+        match self.session.as_mut().map(|session| session.request_picture(size)) {
+            Some(Ok(coming)) => self.tasks.saving = coming.map(|coming| (name, coming)),
             Some(Err(why)) => self.messages.say(format!("the picture was not saved: {why}")),
             None => {}
         }
@@ -100,5 +191,17 @@ impl Viewer {
             Ok(path) => self.messages.say(format!("saved {path}")),
             Err(why) => self.messages.say(format!("the experiment was not saved: {why}")),
         }
+    }
+}
+
+/// The address that a link's query is appended to: that of the page, and none in a window.
+fn page_address() -> String {
+    #[cfg(target_arch = "wasm32")]
+    {
+        crate::browser::address()
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        String::new()
     }
 }

@@ -24,6 +24,18 @@ impl Viewer {
         }
     }
 
+    /// Takes the settings of the file that is watched, where it has changed.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn read_settings_again(&mut self, context: &egui::Context) {
+        let Some(reload) = &mut self.start.reload else { return };
+        context.request_repaint_after(crate::reload::PERIOD);
+        match reload.poll(std::time::Instant::now()) {
+            None => {}
+            Some(Ok(settings)) => self.set_settings(settings),
+            Some(Err(why)) => self.messages.say(format!("{why}; the settings stay as they were")),
+        }
+    }
+
     /// Handles what came since the last frame.
     pub(super) fn poll(&mut self, context: &egui::Context) {
         if let Some(session) = &mut self.session {
@@ -55,9 +67,9 @@ impl Viewer {
                 warnings.into_iter().for_each(|warning| self.messages.say(warning));
             }
             Event::Opened(Source::Bytes { name, bytes }) => self.open(context, &name, bytes),
-            Event::Opened(source @ Source::Named(_)) => self.load(context, source),
-            Event::PictureRead(picture) => {
-                let saved = picture.and_then(|picture: Picture| export::save_picture(&picture));
+            Event::Opened(source @ (Source::Named(_) | Source::Address(_))) => self.load(context, source),
+            Event::PictureRead(name, picture) => {
+                let saved = picture.and_then(|picture: Picture| export::save_picture(&name, &picture));
                 self.messages.say(match saved {
                     Ok(path) => format!("saved {path}"),
                     Err(why) => format!("the picture was not saved: {why}"),
@@ -70,6 +82,10 @@ impl Viewer {
                 for error in errors {
                     self.messages.say(format!("the graphics device refused: {error}"));
                 }
+            }
+            Event::NotLoaded(source, why) => {
+                self.messages.say(why);
+                self.go_on_without(context, &source);
             }
             Event::Failed(why) => self.messages.say(why),
         }

@@ -7,8 +7,8 @@ use umbrage_wgsl::{ShaderKey, Slot, receiver};
 
 use super::Shadows;
 use crate::bindings;
+use crate::coming_maps::ComingMaps;
 use crate::error::{DeviceError, ShadowError};
-use crate::maps::ComingMaps;
 
 impl Shadows {
     /// WGSL to put in front of a shader that asks for visibility; its bindings lie at `slot`, which is the number of a group that

@@ -3,6 +3,9 @@
 //! References are drawn by lavapipe, in `tests/snapshots`. `UPDATE_SNAPSHOTS=1 cargo test -p umbrage-viewer --test panels`
 //! draws them anew: look at them before you keep them.
 
+mod hands;
+mod links;
+
 use std::sync::Arc;
 
 use eframe::egui::{self, Vec2};
@@ -135,6 +138,12 @@ fn on(setup: egui_wgpu::WgpuSetup, world: &str, start: Start) -> Harness<'static
         .with_max_steps(16)
         .wgpu_setup(setup)
         .build_eframe(move |creation| Viewer::new(creation, start).expect("a device"));
+    settled(&mut harness, world);
+    harness
+}
+
+/// Waits until a world is there.
+fn settled(harness: &mut Harness<'static, Viewer>, world: &str) {
     for _ in 0..2000 {
         harness.step();
         if !harness.state().is_loading() && !harness.state().world_name().is_empty() {
@@ -143,7 +152,6 @@ fn on(setup: egui_wgpu::WgpuSetup, world: &str, start: Start) -> Harness<'static
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
     assert_eq!(harness.state().world_name(), world);
-    harness
 }
 
 #[test]
