@@ -62,8 +62,8 @@ fn what_rays_go_through_is_counted_apart_from_the_maps() {
     assert_eq!((by_maps["occluder_bytes"].as_u64(), by_maps["occluder_seconds"].is_null()), (Some(0), true));
     assert!(traced["occluder_bytes"].as_u64().is_some_and(|bytes| bytes > 10_000), "{traced}");
     assert!(traced["occluder_seconds"].as_f64().is_some_and(|seconds| seconds > 0.0), "{traced}");
-    assert!(by_maps["rays_a_pixel"].is_null(), "{by_maps}");
-    let rays = traced["rays_a_pixel"].as_f64();
+    assert!(by_maps["traced_a_pixel"].is_null(), "{by_maps}");
+    let rays = traced["traced_a_pixel"].as_f64();
     assert!(rays.is_some_and(|rays| (0.001..0.5).contains(&rays)), "few receivers are traced: {rays:?}");
     let wrong = |of: &Value| of.pointer("/error/mis_shadowed").and_then(Value::as_f64).expect("an error");
     assert!(4.0 * wrong(&traced) < wrong(&by_maps), "{} and {}", wrong(&traced), wrong(&by_maps));

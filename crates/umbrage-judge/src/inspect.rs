@@ -22,8 +22,7 @@ pub struct Inspected {
 impl World {
     /// Inspects the centre of a pixel, counted from the picture's upper left corner; `None` where it shows the sky.
     pub fn inspect(&self, eye: &Eye, light: &Light, [x, y]: [u32; 2]) -> Option<Inspected> {
-        let ray = eye.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let sight = Sight::new(self, eye, &ray);
+        let sight = Sight::of_pixel(self, eye, y as usize * eye.width as usize + x as usize);
         let receiver = sight.receiver?;
         let truth = pixel(self, light, &sight, f64::INFINITY);
         let blocker = self.first_caster(&ShadowRay::of(self, light, &receiver, 1.0)).map(|hit| hit.distance);

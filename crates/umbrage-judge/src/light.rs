@@ -96,14 +96,19 @@ impl Light {
         }
     }
 
-    /// Returns how far before the light casters end on a ray that leads to it along a unit direction, in metres.
-    pub(crate) fn housing(&self, to_light: DVec3) -> f64 {
+    /// Returns how far before the light casters end on a ray that leads to it along a unit direction, in metres: its near distance,
+    /// along the ray. Beside and behind a spot with one nothing casts.
+    pub(crate) fn near_along(&self, to_light: DVec3) -> f64 {
         let (near, along_axis) = match *self {
             Self::Sun { .. } => return 0.0,
             Self::Spot { along, near, .. } => (near, -to_light.dot(along)),
             Self::Point { near, .. } => (near, to_light.abs().max_element()),
         };
-        if along_axis > 0.0 { near / along_axis } else { 0.0 }
+        match near > 0.0 {
+            true if along_axis > 0.0 => near / along_axis,
+            true => f64::INFINITY,
+            false => 0.0,
+        }
     }
 
     /// The light as a disc that faces a point which it shines at: what shines from a place x, y of the unit disc.
@@ -196,17 +201,18 @@ mod tests {
     }
 
     #[test]
-    fn a_lamps_housing_is_a_cube_around_a_point_light_and_ends_at_a_plane_before_a_spot() {
+    fn the_near_distance_bounds_a_cube_around_a_point_light_and_a_plane_before_a_spot() {
         let point = Light::Point { position: DVec3::ZERO, range: 9.0, near: 0.25 };
         let diagonal = DVec3::new(1.0, 1.0, 1.0).normalize();
         for (to_light, wanted) in [(DVec3::Y, 0.25), (-DVec3::X, 0.25), (diagonal, 0.25 * 3f64.sqrt())] {
-            assert!((point.housing(to_light) - wanted).abs() < 1e-12, "{to_light}");
+            assert!((point.near_along(to_light) - wanted).abs() < 1e-12, "{to_light}");
         }
         let Light::Spot { position, along, cos_outer, range, .. } = spot(80.0, 9.0) else { panic!("a spot") };
         let spot = Light::Spot { position, along, cos_outer, range, near: 0.25 };
         let aslant = DVec3::new(0.6, 0.8, 0.0); // to a spot that shines down
-        assert!((spot.housing(aslant) - 0.25 / 0.8).abs() < 1e-12, "{}", spot.housing(aslant));
-        assert_eq!(Light::sun(Vec3::NEG_Y).housing(DVec3::Y), 0.0);
+        assert!((spot.near_along(aslant) - 0.25 / 0.8).abs() < 1e-12, "{}", spot.near_along(aslant));
+        assert_eq!(spot.near_along(DVec3::NEG_Y), f64::INFINITY, "behind it");
+        assert_eq!(Light::sun(Vec3::NEG_Y).near_along(DVec3::Y), 0.0);
     }
 
     #[test]

@@ -45,7 +45,7 @@ impl ShadowRay {
             Light::Spot { position, .. } | Light::Point { position, .. } => {
                 let (direction, distance) = (position - origin).normalize_and_length();
                 let lamp = Lamp { distance, slack: uncertainty(position) };
-                let end = distance - light.housing(direction);
+                let end = distance - light.near_along(direction);
                 Self { ray: Ray::new(origin, direction), end, lamp: Some(lamp), epsilons }
             }
         }

@@ -15,8 +15,8 @@ pub(crate) struct Sight {
     pub receiver: Option<Receiver>,
     /// What it sees instead, if drawing makes what is before it cover a little more or less; mostly nothing.
     pub doubts: Vec<Option<Receiver>>,
-    /// Whether one surface ends before another so near to a pixel's centre that drawing decides where what it shows lies.
-    pub is_torn: bool,
+    /// Whether depth is discontinuous so near to the pixel's centre that drawing decides which side of the gap it shows.
+    pub is_at_gap: bool,
 }
 
 /// How far a rasteriser may draw an edge off its place, pixels: it rounds each coordinate of a corner to 1/256.
@@ -35,7 +35,7 @@ impl Sight {
             let ray = eye.ray(x + SNAP * right, y + SNAP * down);
             let beside = receiver(world, eye, &ray);
             if beside.map(|beside| beside.triangle) != sight.receiver.map(|seen| seen.triangle) {
-                sight.is_torn |= is_torn(eye, &ray, sight.receiver.as_ref(), beside.as_ref());
+                sight.is_at_gap |= is_at_gap(eye, &ray, sight.receiver.as_ref(), beside.as_ref());
                 sight.doubts.push(beside);
             }
         }
@@ -68,8 +68,8 @@ impl Sight {
     }
 }
 
-/// Whether what a ray sees lies well before or behind what is seen beside it, or one of them is sky.
-fn is_torn(eye: &Eye, ray: &Ray, seen: Option<&Receiver>, beside: Option<&Receiver>) -> bool {
+/// Whether depth is discontinuous between what is seen and what a ray sees beside it, or one of them is sky.
+fn is_at_gap(eye: &Eye, ray: &Ray, seen: Option<&Receiver>, beside: Option<&Receiver>) -> bool {
     let (Some(seen), Some(beside)) = (seen, beside) else { return seen.is_some() != beside.is_some() };
     let plane = (seen.position - ray.origin).dot(seen.normal) / ray.direction.dot(seen.normal);
     // An edge at which both meet is no gap. Neither is a plane that the ray runs along, which is NaN.

@@ -3,8 +3,8 @@
 //! A pixel is judged by the ray through its centre: the first surface it meets (`sight.rs`), and from there a ray to the
 //! light, lifted off the surface by ε. What that meets may let a share of the light through (`passage.rs`). A light that stands in the world may stand on a surface too: what is within ε of it is not before
 //! it. Where twice the ε changes the answer, the pixel is ambiguous, and not judged; nor where drawing decides which surface it shows,
-//! and it matters: a rasteriser puts corners on a grid of 1/256 of a pixel, and edges nearer to a pixel's centre than that may be
-//! drawn on either side of it. Nor are pixels whose surface is turned
+//! and one is nearer than the other, or their truths differ: a rasteriser puts corners on a grid of 1/256 of a pixel, and edges
+//! nearer to a pixel's centre than that may be drawn on either side of it. Nor are pixels whose surface is turned
 //! away from the light, or where it does not shine: shading leaves them dark, whatever their shadow.
 //!
 //! ε, and the angle at which a surface begins to face a light, are what rounding of the world's f32 numbers may have done to
@@ -176,7 +176,7 @@ pub(crate) fn pixel(world: &World, light: &Light, sight: &Sight, distance: f64) 
     let of = |receiver: &Option<Receiver>| of_receiver(world, light, receiver.as_ref(), distance);
     let pixel = of(&sight.receiver);
     let is_sure = sight.doubts.iter().all(|other| pixel.is_as(of(other)));
-    if is_sure && !(sight.is_torn && pixel.is_judged()) { pixel } else { Pixel::Ambiguous }
+    if is_sure && !(sight.is_at_gap && pixel.is_judged()) { pixel } else { Pixel::Ambiguous }
 }
 
 /// What is true of a pixel with this first surface, or none.

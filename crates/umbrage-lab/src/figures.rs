@@ -73,7 +73,7 @@ pub const ALL: &[Figure] = &[
     figure("bytes", "memory", Format::Bytes),
     figure("occluder_bytes", "memory of casters for rays", Format::Bytes),
     figure("occluder_seconds", "casters made ready", Format::Seconds),
-    figure("rays_a_pixel", "rays a pixel", Format::Plain),
+    figure("traced_a_pixel", "receivers traced a pixel", Format::Plain),
     figure("milliseconds.plan.median", "plan", Format::Milliseconds),
     figure("milliseconds.deform.median", "bending", Format::Milliseconds),
     figure("milliseconds.casters.median", "casters", Format::Milliseconds),

@@ -48,8 +48,8 @@ struct Taken {
     visibility: Vec<Vec<f32>>,
     shaded: Picture,
     plan: ShadowPlan,
-    /// How many receivers were traced.
-    rays: Option<u32>,
+    /// How many receivers rays were traced for; `None` where another technique made the shadows.
+    traced_receivers: Option<u32>,
 }
 
 /// A laboratory draws a scene, and judges what it drew.
@@ -120,7 +120,7 @@ impl<'a> Laboratory<'a> {
         frames: u32,
     ) -> Result<Judged, LabError> {
         self.use_settings(settings)?;
-        let Taken { visibility, shaded, plan, rays } = self.take(shot, &mut technique)?;
+        let Taken { visibility, shaded, plan, traced_receivers } = self.take(shot, &mut technique)?;
         let timed = self.timed(shot, &mut technique, frames)?;
         let start = web_time::Instant::now();
         let world = self.world_in(&shot.pose);
@@ -135,9 +135,9 @@ impl<'a> Laboratory<'a> {
         let true_picture = self.true_picture(&shot.frame(Show::World)?, &traced, &visibility, &shaded)?;
         let figures = self.measured(shot, settings, technique.as_deref(), &by_light, &timed);
         let flip = flip(&true_picture, &shaded).filter(|_| figures.error.is_some());
-        let rays_a_pixel =
-            rays.map(|rays| f64::from(rays) / (f64::from(shot.width) * f64::from(shot.height)));
-        let measurement = Measurement { flip, rays_a_pixel, ..figures };
+        let pixels = f64::from(shot.width) * f64::from(shot.height);
+        let traced_a_pixel = traced_receivers.map(|receivers| f64::from(receivers) / pixels);
+        let measurement = Measurement { flip, traced_a_pixel, ..figures };
         let heat_map = Picture { rgba: heat_map(&shaded.rgba, &verdicts(&traced, &visibility)), ..shaded };
         Ok(Judged { measurement, visibility, truth, shaded, true_picture, heat_map, plan, tracing })
     }
@@ -152,12 +152,12 @@ impl<'a> Laboratory<'a> {
             Some(technique) => technique.visibility(&mut self.renderer, shot)?,
         };
         let Rendered { drawn, times: _ } = self.renderer.render(&frame)?;
-        let rays = self.renderer.traced()?;
+        let traced_receivers = self.renderer.traced()?.filter(|_| technique.is_none());
         let shaded = match technique {
             None => drawn.picture()?,
             Some(_) => self.picture(&frame, Show::Given(visibility.concat()))?,
         };
-        Ok(Taken { visibility, shaded, plan: drawn.plan().clone(), rays })
+        Ok(Taken { visibility, shaded, plan: drawn.plan().clone(), traced_receivers })
     }
 
     /// The figures of a picture that was judged light by light, but for those that look at the picture itself.
@@ -195,7 +195,7 @@ impl<'a> Laboratory<'a> {
             aliasing: by_light.first().and_then(|of| of.aliasing.summary),
             lights: shot.lights.iter().zip(by_light).map(|(light, of)| of.measured(&light.name)).collect(),
             flip: None,
-            rays_a_pixel: None,
+            traced_a_pixel: None,
             splits: DepthBand::pooled(by_light.iter().map(|judgement| judgement.splits.as_slice())),
             around_cuts: by_light.first().map(|judgement| judgement.around_cuts.clone()).unwrap_or_default(),
             milliseconds: timed.stages(),

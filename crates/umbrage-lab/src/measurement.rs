@@ -41,7 +41,7 @@ pub struct Measurement {
     /// The number of receivers whose visibility rays found, of all lights, divided by the number of the picture's pixels; absent where
     /// the settings ask for no rays, and where rays were traced while the picture was shaded.
     #[serde(default)]
-    pub rays_a_pixel: Option<f64>,
+    pub traced_a_pixel: Option<f64>,
     /// What it took to make another family of shadows than maps ready; absent for maps.
     #[serde(default)]
     pub made_ready: Option<MadeReady>,

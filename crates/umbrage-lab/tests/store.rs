@@ -76,7 +76,7 @@ fn outcome(run: &Run) -> Outcome {
         bytes: 4,
         occluder_bytes: 0,
         occluder_seconds: None,
-        rays_a_pixel: None,
+        traced_a_pixel: None,
         made_ready: None,
         shadows_milliseconds: Some(1.25),
         truth: TruthCounts {

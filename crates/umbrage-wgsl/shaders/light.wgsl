@@ -32,7 +32,7 @@ const UMBRAGE_FARTHEST_LIGHT: f32 = 1e18;
 
 /// How far before a light casters end on a ray that leads to it along a unit direction, metres: where the maps of its views
 /// begin, which are the faces of a cube around a point light.
-fn umbrage_housing(light: u32, to_light: vec3f) -> f32 {
+fn umbrage_near_along(light: u32, to_light: vec3f) -> f32 {
     let size = abs(to_light);
     let of_face = max(size.x, max(size.y, size.z));
     let of_spot = max(-dot(umbrage_frame.lights[light].axis, to_light), 1e-6);

@@ -122,8 +122,8 @@ impl Resolve {
         &self.room.insert(room).resolved
     }
 
-    /// Returns the buffer whose first four bytes say, once they are done, how many rays the steps recorded last have traced receivers
-    /// for: one for each pixel and light of which the maps were not sure. `None` before any were recorded.
+    /// Returns the buffer whose first four bytes say, once they are done, how many receivers the steps recorded last have traced: one
+    /// for each pixel and light of which the maps were not sure. `None` before any were recorded.
     pub fn traced(&self) -> Option<&wgpu::Buffer> {
         self.room.as_ref().map(|room| &room.left)
     }

@@ -148,7 +148,7 @@ fn row(
         bytes: texels * 4,
         occluder_bytes: 0,
         occluder_seconds: None,
-        rays_a_pixel: None,
+        traced_a_pixel: None,
         made_ready: None,
         shadows_milliseconds: None,
         truth: TruthCounts {

@@ -3,7 +3,7 @@
 
 import constants::{UMBRAGE_POINTS, UMBRAGE_TAPS};
 import package::exact::trace::{UmbrageTrace, umbrage_trace};
-import package::light::{UMBRAGE_FARTHEST_LIGHT, umbrage_direction_to_light, umbrage_housing, umbrage_light_point};
+import package::light::{UMBRAGE_FARTHEST_LIGHT, umbrage_direction_to_light, umbrage_near_along, umbrage_light_point};
 import package::receiver::lookup::UmbrageReceiver;
 import package::sampling::noise::umbrage_noise;
 import package::sampling::points_rotated::umbrage_point;
@@ -22,7 +22,7 @@ fn umbrage_rays(light: u32, receiver: UmbrageReceiver) -> UmbrageTrace {
         let way = umbrage_light_point(light, receiver.position, right * point.x + up * point.y);
         let lamp = min(length(way), UMBRAGE_FARTHEST_LIGHT);
         let toward = normalize(way);
-        let one = umbrage_trace(receiver.position, toward, lamp, lamp - umbrage_housing(light, toward));
+        let one = umbrage_trace(receiver.position, toward, lamp, lamp - umbrage_near_along(light, toward));
         all.share += one.share / f32(UMBRAGE_TAPS);
         all.passed_bent = all.passed_bent || one.passed_bent;
     }
