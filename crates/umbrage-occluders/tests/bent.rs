@@ -69,7 +69,7 @@ fn check(geometry: &Geometry, mesh: usize, triangles: &mut Vec<[Vec3; 3]>) {
                 .map(Vec3::from_array);
             assert!(corners.iter().all(|corner| corner.cmpge(low).all() && corner.cmple(high).all()));
         }
-        triangles.extend(corners.as_chunks::<3>().0);
+        triangles.extend(corners.chunks_exact(3).map(|corners| [corners[0], corners[1], corners[2]]));
     }
 }
 

@@ -28,7 +28,8 @@ fn main() -> Result<()> {
 fn table(device: &wgpu::Device, queue: &wgpu::Queue) -> World {
     let thing = |i: usize| {
         let (x, z) = ((i % 6) as f32 * 0.5 - 1.25, (i / 6) as f32 * 0.5 - 0.75);
-        let half = if i % 2 == 0 { Vec3::new(0.14, 0.015, 0.1) } else { Vec3::new(0.02, 0.08, 0.02) };
+        let half =
+            if i.is_multiple_of(2) { Vec3::new(0.14, 0.015, 0.1) } else { Vec3::new(0.02, 0.08, 0.02) };
         [Vec3::new(x, half.y, z), half]
     };
     let top = [Vec3::new(0.0, -0.5, 0.0), Vec3::new(20.0, 0.5, 20.0)];

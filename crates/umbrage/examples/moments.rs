@@ -20,7 +20,7 @@ const MY_SHADING: &str = "
     }";
 
 fn main() -> Result<()> {
-    save("moments.ppm", &draw(my_settings(5))?)
+    save("moments.ppm", &draw(my_settings(12))?)
 }
 
 /// Moments, blurred over so many texels to each side. More of them cost no more in the shading pass.

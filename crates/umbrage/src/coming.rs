@@ -16,7 +16,7 @@ impl Coming {
     pub fn of(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, buffer: &wgpu::Buffer) -> Self {
         let size = buffer.size();
         Self::copied(device, encoder, size, |encoder, copy| {
-            encoder.copy_buffer_to_buffer(buffer, 0, copy, 0, size)
+            encoder.copy_buffer_to_buffer(buffer, 0, copy, 0, size);
         })
     }
 

@@ -144,7 +144,7 @@ fn every_module_can_be_joined_with_what_it_imports() {
         .iter()
         .flat_map(|(_, key)| key.constants())
         .chain(
-            ["LENGTH", "STEPS", "THICKNESS"]
+            ["FAR", "LENGTH", "STEPS", "THICKNESS"]
                 .map(|n| (&*format!("UMBRAGE_CONTACT_{n}").leak(), String::new())),
         )
         .collect();
