@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-/// The documents: Markdown in the root, in `docs/` and in `examples/`.
+/// The documents: Markdown in the root, in `docs/`, in `examples/` and in `integrations/`.
 fn documents() -> Vec<PathBuf> {
-    let mut folders = vec![root().join("docs"), root().join("examples")];
+    let mut folders = vec![root().join("docs"), root().join("examples"), root().join("integrations")];
     let mut found: Vec<PathBuf> = markdown_in(root()).collect();
     while let Some(folder) = folders.pop() {
         found.extend(markdown_in(&folder));
@@ -28,7 +28,8 @@ fn markdown_in(folder: &Path) -> impl Iterator<Item = PathBuf> {
 /// Paths below `crates/`, `docs/` and so on that stand between backticks, but for files that a recipe says to make:
 /// `(new)`. Braces stand for several: `a/{b,c}.rs`.
 fn named_paths(text: &str) -> Vec<String> {
-    const ROOTS: &[&str] = &["crates/", "docs/", "xtask/", "scripts/", "experiments/", "examples/", "fuzz/"];
+    const ROOTS: &[&str] =
+        &["crates/", "docs/", "xtask/", "scripts/", "experiments/", "examples/", "fuzz/", "integrations/"];
     let lines = text.lines().filter(|line| !line.contains("(new)"));
     let quoted = lines.flat_map(|line| line.split('`').skip(1).step_by(2));
     let is_path =

@@ -196,6 +196,14 @@ fn stores_of_other_experiments_programs_and_adapters_are_refused_with_what_to_do
         .expect_err("no such adapter");
     assert!(why.contains("--adapter") && why.contains("`voodoo`; they are by "), "{why}");
 
+    // GL's driver and Vulkan's are two adapters, whatever draws.
+    bench.report("gl", &["--adapter", "gl", "--shard", "2/2"]);
+    let why = bench.merge("out", &["a", "gl"]).expect_err("two adapters");
+    assert!(
+        why.contains("--adapter: results are by 2 adapters") && why.contains("name one of them"),
+        "{why}"
+    );
+
     fs::write(bench.path("small.toml"), EXPERIMENT.replace("[96, 54]", "[97, 54]")).expect("written");
     let why = bench.merge("elsewhere", &["a", "b"]).expect_err("another experiment's");
     assert!(why.contains("none of 8 results is of this experiment as it is written now"), "{why}");

@@ -53,9 +53,11 @@ fn hashes(scenes: &BTreeMap<String, Scene>) -> Result<BTreeMap<String, String>, 
 /// What is wrong with a merge, and which words mend it.
 fn what_to_do(why: LabError, args: &ReportArgs) -> Failure {
     let (experiment, output) = (args.experiment.display(), args.output.display());
+    let adapter =
+        args.adapter.adapter.as_ref().map_or_else(String::new, |name| format!(" --adapter {name:?}"));
     match why {
         LabError::Merge(why @ MergeError::Missing { .. }) => Failure::Work(anyhow::anyhow!(
-            "{why}; what there is lies in {output} now, and `umbrage report {experiment} -o {output}` measures the rest"
+            "{why}; what there is lies in {output} now, and `umbrage report {experiment} -o {output}{adapter}` measures the rest"
         )),
         LabError::Merge(why @ (MergeError::Adapters(_) | MergeError::NoAdapter { .. })) => {
             Failure::usage(format!("--adapter: {why}"))

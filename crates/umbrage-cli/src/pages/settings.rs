@@ -91,6 +91,7 @@ fn values(key: &Key) -> String {
 /// What the setting is where nobody gives it: as TOML has it, between backticks, or in words where it is left out.
 fn default(key: &Key) -> anyhow::Result<String> {
     Ok(match (default_value(key)?, key.absent) {
+        (Some(Value::Float(number)), _) => code(&number.to_string()),
         (Some(value), _) => code(&value.to_string()),
         (None, Some(absent)) => absent.means.to_owned(),
         (None, None) => "none".to_owned(),
