@@ -75,6 +75,8 @@ pub struct MapSays {
     pub bias: f32,
     /// How far in front of the surface the texel's blocker lies, metres; `None` where the texel holds none.
     pub blocker: Option<f32>,
+    /// Whether that blocker lies before the map's near plane, where casters are flattened onto it: then it may lie farther away.
+    pub is_flattened: bool,
 }
 
 /// A view's lookup of the pixel, and depths in metres.
@@ -126,6 +128,7 @@ impl Question<'_> {
             asked,
             bias: (surface - compared) * view.depth_metres,
             blocker,
+            is_flattened: view.unclipped_depth && stored.is_some_and(|stored| stored >= 1.0),
         }
     }
 

@@ -34,11 +34,9 @@ pub fn show(ui: &mut egui::Ui, session: Option<&mut Session>, is_lost: bool) -> 
     let mut actions = Vec::new();
     let size = size_px(rect, ui.pixels_per_point(), session.drawing.max_side_px());
     ask(ui, &response, session, size);
-    if !is_lost {
-        if let Err(why) = session.draw(ui.ctx(), size) {
-            session.give_up();
-            actions.push(Action::Say(format!("this cannot be drawn: {why}")));
-        }
+    if !is_lost && let Err(why) = session.draw(ui.ctx(), size) {
+        session.give_up();
+        actions.push(Action::Say(format!("this cannot be drawn: {why}")));
     }
     paint(ui, session, rect);
     mark(ui, session, rect, size);

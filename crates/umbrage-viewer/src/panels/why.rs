@@ -79,9 +79,13 @@ fn rows(why: &Why) -> Vec<(&'static str, String, &'static str)> {
 }
 
 fn map_rows(map: &MapSays) -> Vec<(&'static str, String, &'static str)> {
-    let MapSays { view, texel, side, texel_metres, stored, compare, asked, bias, blocker } = map;
+    let MapSays { view, texel, side, texel_metres, stored, compare, asked, bias, blocker, is_flattened } =
+        map;
     let stored = stored.map_or("not read".to_owned(), |stored| format!("{stored:.6}"));
     let blocker = match blocker {
+        Some(metres) if *is_flattened => {
+            format!("{metres:.3} m in front or farther: it is flattened onto the near plane")
+        }
         Some(metres) if *metres > 0.0 => format!("{metres:.3} m in front"),
         Some(metres) => format!("{:.3} m behind", -metres),
         None => "nothing".to_owned(),
