@@ -270,7 +270,7 @@ mod tests {
         let link = Link {
             world: Some("knights".to_owned()),
             place: Some([Vec3::new(1.5, 2.0, -3.0), Vec3::ZERO]),
-            settings: [soft.clone(), Settings::default()],
+            settings: [soft, Settings::default()],
             compare: true,
             truth: true,
             ..Link::default()
