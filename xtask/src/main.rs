@@ -4,8 +4,9 @@
 //! thesis' tables and figures again in `docs/ferko.md`, `cargo xtask families` sets other families of shadows beside maps in
 //! `docs/families.md`, `cargo xtask exact` measures rays where maps are not sure in `docs/exact.md`, `cargo xtask filters` compares every
 //! filter in `docs/filters.md`, `cargo xtask field` measures scenes that are far or large or small in `docs/field.md`,
-//! `cargo xtask peers` sets Umbrage beside other renderers in `docs/peers.md`, `cargo xtask pictures` draws the pictures of
-//! the documents, `cargo xtask documents` makes all of these again, `cargo xtask web` builds the web page.
+//! `cargo xtask peers` sets Umbrage beside other renderers in `docs/peers.md`, `cargo xtask bevy` Bevy with Umbrage's plug-in beside
+//! Bevy in `docs/bevy.md`, `cargo xtask pictures` draws the pictures of the documents, `cargo xtask documents` makes all of these
+//! again, `cargo xtask web` builds the web page.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage`, and joins and copies what that leaves.
 
@@ -79,6 +80,8 @@ enum Chore {
     Field(field::Args),
     /// Sets Umbrage beside other renderers on the same worlds, in docs/peers.md
     Peers(peers::Args),
+    /// Sets Bevy with Umbrage's plug-in beside Bevy as it is, in docs/bevy.md
+    Bevy(peers::plugin::Args),
     /// Draws the pictures of the documents
     Pictures,
     /// Makes every document and picture again, one after another; hours on a small machine
@@ -112,6 +115,7 @@ fn run(chore: Chore) -> anyhow::Result<()> {
         Chore::Documents => documents(),
         Chore::Field(args) => field::write(&args),
         Chore::Peers(args) => peers::write(&args),
+        Chore::Bevy(args) => peers::plugin::write(&args),
         Chore::Pictures => pictures::draw(),
         #[cfg(feature = "web")]
         Chore::Web { out } => web::build(&out),
@@ -119,9 +123,9 @@ fn run(chore: Chore) -> anyhow::Result<()> {
 }
 
 /// The chores that make documents, as they follow each other: what is timed comes first, while the machine is at rest.
-const DOCUMENTS: [&str; 11] = [
-    "peers", "results", "exact", "families", "ferko", "filters", "claims", "error", "biases", "field",
-    "pictures",
+const DOCUMENTS: [&str; 12] = [
+    "peers", "bevy", "results", "exact", "families", "ferko", "filters", "claims", "error", "biases",
+    "field", "pictures",
 ];
 
 fn documents() -> anyhow::Result<()> {

@@ -5,6 +5,8 @@
 //! `umbrage measure --pictures`. A program that is not there, or fails, is named with what to do.
 
 mod page;
+pub mod plugin;
+mod plugin_page;
 mod program;
 mod worlds;
 

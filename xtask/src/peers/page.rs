@@ -57,7 +57,7 @@ pub fn page(figures: &Value) -> Option<String> {
     Some(text)
 }
 
-const WITH: &str = "shadows";
+pub const WITH: &str = "shadows";
 const WITHOUT: &str = "no_shadows";
 
 /// How wrong each is, by the judge.
@@ -169,20 +169,20 @@ impl<'a> Found<'a> {
 }
 
 /// Round by round; `None` without any.
-fn divided(these: Vec<f64>, those: Vec<f64>) -> Option<Vec<f64>> {
+pub fn divided(these: Vec<f64>, those: Vec<f64>) -> Option<Vec<f64>> {
     let ratios: Vec<f64> = these.iter().zip(those).map(|(this, that)| this / that).collect();
     (!ratios.is_empty()).then_some(ratios)
 }
 
 /// The median, and the least and greatest.
-fn of(mut values: Vec<f64>) -> String {
+pub fn of(mut values: Vec<f64>) -> String {
     values.sort_by(f64::total_cmp);
     let [low, high] = [values.first(), values.last()].map(|value| value.copied().unwrap_or_default());
     let digits = if high.abs() < 10.0 { 2 } else { 0 };
     format!("{:.digits$} ({low:.digits$} to {high:.digits$})", median(values))
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match values.len() {

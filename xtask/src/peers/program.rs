@@ -36,7 +36,7 @@ pub struct Program {
 }
 
 /// The Bevy peer, from the repository's root.
-const BEVY: &str = "bench/peers/bevy/target/release/bevy-peer";
+const BEVY: &str = "integrations/bevy/target/release/bevy-peer";
 /// The peers in a browser.
 const WEB: &str = "bench/peers/web";
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
@@ -63,7 +63,7 @@ impl Peer {
             Self::Umbrage => None,
             Self::Bevy if root().join(BEVY).is_file() => None,
             Self::Bevy => Some(
-                "Bevy is not built: `CARGO_BUILD_JOBS=1 cargo build --release --manifest-path bench/peers/bevy/Cargo.toml`, some twenty minutes on two cores"
+                "Bevy is not built: `CARGO_BUILD_JOBS=1 cargo build --release --workspace --manifest-path integrations/bevy/Cargo.toml`, some twenty minutes on two cores"
                     .to_owned(),
             ),
             Self::Three | Self::Babylon => {
@@ -90,20 +90,35 @@ impl Program {
     pub fn round(&self, peer: Peer, view: &View, pictures: Option<&Path>) -> anyhow::Result<Answer> {
         match peer {
             Peer::Umbrage => self.bench(view),
-            Peer::Bevy => ask(Command::new(root().join(BEVY)).args(self.foreign(view, pictures))),
+            Peer::Bevy => self.bevy(view, MAPS[1], &[], pictures),
             Peer::Three | Peer::Babylon => {
                 let mut node = Command::new("node");
-                node.arg(format!("{WEB}/peers.mjs")).arg(peer.name()).args(self.foreign(view, pictures));
+                node.arg(format!("{WEB}/peers.mjs"))
+                    .arg(peer.name())
+                    .args(self.foreign(view, MAPS[1], pictures));
                 ask(&mut node)
             }
         }
     }
 
+    /// As [`Self::round`] for Bevy, with maps of so many texels a side, and further words of its own.
+    pub fn bevy(
+        &self,
+        view: &View,
+        resolution: u32,
+        words: &[&str],
+        pictures: Option<&Path>,
+    ) -> anyhow::Result<Answer> {
+        let mut bevy = Command::new(root().join(BEVY));
+        bevy.args(self.foreign(view, resolution, pictures)).args(words);
+        ask(&mut bevy)
+    }
+
     /// The words of the other programs, which are the same.
-    fn foreign(&self, view: &View, pictures: Option<&Path>) -> Vec<String> {
+    fn foreign(&self, view: &View, resolution: u32, pictures: Option<&Path>) -> Vec<String> {
         let View { file, cameras, camera, sun } = view;
         let (width, height) = self.size.split_once('x').unwrap_or((&self.size, &self.size));
-        let [maps, resolution] = MAPS.map(|number| number.to_string());
+        let [maps, resolution] = [MAPS[0], resolution].map(|number| number.to_string());
         let frames = self.frames.to_string();
         let mut words = vec![text(file)];
         for (flag, value) in [

@@ -4,18 +4,22 @@ use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Context as _, bail, ensure};
-use bevy::app::PluginsState;
+use bevy::app::{PluginsState, SubApp};
 use bevy::asset::{LoadState, RecursiveDependencyLoadState, UnapprovedPathMode};
 use bevy::camera::RenderTarget;
+use bevy::ecs::schedule::SingleThreadedExecutor;
 use bevy::gltf::GltfLoaderSettings;
 use bevy::light::{CascadeShadowConfig, DirectionalLightShadowMap, GlobalAmbientLight};
 use bevy::log::LogPlugin;
 use bevy::prelude::*;
+use bevy::render::RenderApp;
 use bevy::render::RenderPlugin;
+use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
 use bevy::render::render_resource::{TextureFormat, TextureUsages};
 use bevy::render::renderer::RenderAdapterInfo;
 use bevy::window::ExitCondition;
 use bevy::world_serialization::{WorldAsset, WorldAssetRoot};
+use bevy_umbrage::UmbragePlugin;
 
 use crate::Args;
 use crate::pace::{self, Done};
@@ -112,8 +116,12 @@ impl Peer {
 /// Starts Bevy without a window.
 fn start(args: &Args, done: &Done) -> App {
     let mut app = App::new();
+    let mut plugins = DefaultPlugins.build();
+    if args.one_thread {
+        plugins = plugins.disable::<PipelinedRenderingPlugin>();
+    }
     app.add_plugins(
-        DefaultPlugins
+        plugins
             .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() })
             .set(AssetPlugin { unapproved_path_mode: UnapprovedPathMode::Allow, ..default() })
             // Things whose pipelines are still compiled would be left out of a frame.
@@ -121,6 +129,9 @@ fn start(args: &Args, done: &Done) -> App {
             // What is printed is JSON.
             .set(LogPlugin { filter: "warn,bevy_gltf=error".to_owned(), ..default() }),
     );
+    if args.umbrage {
+        app.add_plugins(UmbragePlugin::default());
+    }
     app.insert_resource(DirectionalLightShadowMap { size: args.resolution });
     app.insert_resource(GlobalAmbientLight { brightness: stage::AMBIENT, ..default() });
     app.insert_resource(ClearColor(Color::BLACK));
@@ -130,7 +141,18 @@ fn start(args: &Args, done: &Done) -> App {
     }
     app.finish();
     app.cleanup();
+    if args.one_thread {
+        run_in_turn(app.main_mut());
+        app.get_sub_app_mut(RenderApp).map(run_in_turn);
+    }
     app
+}
+
+/// Lets the systems of an application run one after another.
+fn run_in_turn(app: &mut SubApp) {
+    for (_, schedule) in app.world_mut().resource_mut::<Schedules>().iter_mut() {
+        schedule.set_executor(SingleThreadedExecutor::new());
+    }
 }
 
 /// Loads a file with Bevy's loader, without its own cameras and lights, and waits for it.

@@ -4,7 +4,9 @@
 //! It prints one JSON object. Frames are timed as `umbrage bench` does it: two in flight, the mean over a batch, batches with
 //! and without maps in turn. Cameras and the sun come from what `umbrage worlds export --cameras` writes.
 //!
-//! This program does not: share any code with what it is compared with, or open a window.
+//! Without `--umbrage` it shares no code with what it is compared with; with it, Bevy has the plug-in of `integrations/bevy`.
+//!
+//! This program does not: open a window.
 
 mod app;
 mod pace;
@@ -54,6 +56,13 @@ pub struct Args {
     /// Maps are read so: `hardware` is 2 x 2 PCF, `gaussian` Bevy's default
     #[arg(long, default_value = "hardware", value_parser = ["hardware", "gaussian"])]
     pub filter: String,
+    /// Give Bevy the plug-in `bevy_umbrage`: its cascades and its lookup
+    #[arg(long)]
+    pub umbrage: bool,
+    /// Run Bevy's systems one after another: for pictures on a busy machine, where threads wait long for each other. Its times are
+    /// not Bevy's
+    #[arg(long)]
+    pub one_thread: bool,
     /// Frames a batch: Bevy pipelines frames, so that fewer say little
     #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: u32,
@@ -90,7 +99,7 @@ fn main() -> anyhow::Result<()> {
         peer.write_pictures(folder)?;
     }
     let report = json!({
-        "peer": "Bevy",
+        "peer": if args.umbrage { "Bevy with bevy_umbrage" } else { "Bevy" },
         "version": "0.19.1",
         "adapter": peer.adapter(),
         "triangles": peer.triangles(),
