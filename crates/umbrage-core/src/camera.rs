@@ -40,9 +40,9 @@ pub struct Camera {
 const RIGID_TOLERANCE: f32 = 1e-3;
 
 impl Camera {
-    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres. The range of a
-    /// perspective camera may end nowhere: with [`f32::INFINITY`] as `far`, shadows end at the shadow distance of the settings, or
-    /// else where the world's bounds do.
+    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres. The far plane of a
+    /// perspective camera may be infinitely far: with [`f32::INFINITY`] as `far`, shadows end at the shadow distance of the settings, or
+    /// else at the distance from the eye to the farthest corner of the world's bounds, rounded up by at most 6 %.
     ///
     /// # Errors
     /// When the transform is not rigid, the range is not 0 < near < far, or the projection is degenerate.
