@@ -311,6 +311,7 @@ pub enum CameraError {
     HalfHeight(f32),
     NotRigid,
     Centre([f32; 2]),
+    Sides([f32; 4]),
     Eyes,
 }
 impl fmt::Display for CameraError {}

@@ -34,7 +34,7 @@ fn aside() -> impl Strategy<Value = Camera> {
 fn eyes() -> impl Strategy<Value = [Camera; 2]> {
     let offset = (0.01f32..0.4, -0.05f32..0.05, -0.1f32..0.1).prop_map(Vec3::from);
     let turn = (direction(), -9e-5f32..9e-5)
-        .prop_map(|(axis, angle)| Mat4::from_axis_angle(axis.normalize(), angle));
+        .prop_map(|(axis, angle)| Mat4::from_axis_angle(axis.normalize_or(Vec3::Y), angle));
     (place(), place(), [side(), side(), side(), side()], (offset, turn))
         .prop_filter("a way to look", |(eye, target, ..)| (*eye - *target).truncate().length() > 1.0)
         .prop_map(|(eye, target, [l, r, d, u], (offset, turn))| {
