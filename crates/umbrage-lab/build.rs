@@ -8,11 +8,12 @@ fn main() {
     for path in ["../../crates", "../../Cargo.lock"] {
         println!("cargo:rerun-if-changed={path}");
     }
-    // It lies elsewhere in a linked worktree. A path that is not there would build the crate anew each time.
-    if let Some(moves) =
-        git(&["rev-parse", "--git-path", "logs/HEAD"]).filter(|path| Path::new(path).exists())
-    {
-        println!("cargo:rerun-if-changed={moves}");
+    // They lie elsewhere in a linked worktree. A path that is not there would build the crate anew each time.
+    let branch = git(&["symbolic-ref", "--quiet", "HEAD"]);
+    let files = ["HEAD", "logs/HEAD", "packed-refs"].into_iter().chain(branch.as_deref());
+    let paths = files.filter_map(|file| git(&["rev-parse", "--git-path", file]));
+    for path in paths.filter(|path| Path::new(path).exists()) {
+        println!("cargo:rerun-if-changed={path}");
     }
     let version = env!("CARGO_PKG_VERSION");
     let changed =
@@ -30,8 +31,14 @@ fn main() {
     println!("cargo:rustc-env=UMBRAGE_VERSION={version}");
 }
 
-/// What git prints, where there is a repository.
+/// What git prints, where there is a repository of this workspace. A source archive may lie in another one, whose commit says nothing.
 fn git(words: &[&str]) -> Option<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().ok()?;
+    let of = printed(&["rev-parse", "--show-toplevel"])?;
+    (Path::new(&of).canonicalize().ok()? == root).then(|| printed(words))?
+}
+
+fn printed(words: &[&str]) -> Option<String> {
     let output = Command::new("git").args(words).output().ok().filter(|output| output.status.success())?;
     Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())
 }

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use syn::{Attribute, Fields, ImplItem, Item, Type, Visibility};
+use syn::{Attribute, Fields, ImplItem, Item, ItemImpl, Type, Variant, Visibility};
 
 const CRATES: [&str; 4] = ["umbrage-core", "umbrage-wgsl", "umbrage-occluders", "umbrage"];
 
@@ -24,10 +24,7 @@ fn the_public_interface_is_the_one_that_is_written_down() {
             std::fs::write(&file, &now).expect("a file");
         }
         let before = std::fs::read_to_string(&file).unwrap_or_default();
-        let lines = |text: &str| text.lines().map(str::to_owned).collect::<BTreeSet<_>>();
-        let (then, now) = (lines(&before), lines(&now));
-        changed.extend(then.difference(&now).map(|line| format!("{name}: - {}", line.trim())));
-        changed.extend(now.difference(&then).map(|line| format!("{name}: + {}", line.trim())));
+        changed.extend(difference(&before, &now).into_iter().map(|line| format!("{name}: {line}")));
     }
     assert!(
         changed.is_empty(),
@@ -35,6 +32,27 @@ fn the_public_interface_is_the_one_that_is_written_down() {
          change log:\n{}",
         changed.join("\n")
     );
+}
+
+/// In which lines two texts differ: nothing where they are equal. A line that stands in both, at another place, is told by its number.
+fn difference(before: &str, now: &str) -> Vec<String> {
+    if before == now {
+        return Vec::new();
+    }
+    let lines = |text: &str| text.lines().map(|line| line.trim().to_owned()).collect::<BTreeSet<_>>();
+    let (then, since) = (lines(before), lines(now));
+    let gone = then.difference(&since).map(|line| format!("- {line}"));
+    let new = since.difference(&then).map(|line| format!("+ {line}"));
+    let same = before.lines().zip(now.lines()).take_while(|(a, b)| a == b).count();
+    gone.chain(new).chain([format!("the first line that differs is {}", same + 1)]).collect()
+}
+
+#[test]
+fn a_line_that_stands_elsewhere_too_is_missed_where_it_is_gone() {
+    let before = "struct A {\n    x: f32,\n}\nstruct B {\n    x: f32,\n}\n";
+    let now = "struct A {\n    x: f32,\n}\nstruct B {\n}\n";
+    assert_eq!(difference(before, now), ["the first line that differs is 5"]);
+    assert!(difference(before, before).is_empty());
 }
 
 /// Everything public below a folder, file by file, without bodies and documentation.
@@ -91,70 +109,56 @@ fn public_type(item: &Item) -> Option<String> {
 
 /// What others see of an item; `None` where they see nothing.
 fn declaration(mut item: Item, types: &BTreeSet<String>) -> Option<Item> {
-    let is_seen = match &mut item {
-        Item::Const(it) => {
-            strip(&mut it.attrs);
-            is_public(&it.vis)
-        }
-        Item::Static(it) => is_public(&it.vis),
-        Item::Type(it) => {
-            strip(&mut it.attrs);
-            is_public(&it.vis)
-        }
-        Item::Mod(it) => {
-            strip(&mut it.attrs);
-            is_public(&it.vis)
-        }
-        Item::Use(it) => {
-            strip(&mut it.attrs);
-            is_public(&it.vis)
-        }
-        Item::Trait(it) => {
-            strip(&mut it.attrs);
-            is_public(&it.vis)
-        }
+    let (attributes, visibility) = match &mut item {
+        Item::Const(it) => (&mut it.attrs, &it.vis),
+        Item::Static(it) => (&mut it.attrs, &it.vis),
+        Item::Type(it) => (&mut it.attrs, &it.vis),
+        Item::Mod(it) => (&mut it.attrs, &it.vis),
+        Item::Use(it) => (&mut it.attrs, &it.vis),
+        Item::Trait(it) => (&mut it.attrs, &it.vis),
         Item::Fn(it) => {
-            strip(&mut it.attrs);
             it.block.stmts.clear();
-            is_public(&it.vis)
+            (&mut it.attrs, &it.vis)
         }
         Item::Struct(it) => {
-            strip(&mut it.attrs);
             public_fields(&mut it.fields);
-            is_public(&it.vis)
+            (&mut it.attrs, &it.vis)
         }
         Item::Enum(it) => {
-            strip(&mut it.attrs);
-            for variant in &mut it.variants {
-                strip(&mut variant.attrs);
-                variant.fields.iter_mut().for_each(|field| strip(&mut field.attrs));
-            }
-            is_public(&it.vis)
+            it.variants.iter_mut().for_each(strip_variant);
+            (&mut it.attrs, &it.vis)
         }
-        Item::Impl(it) => {
-            strip(&mut it.attrs);
-            let of_trait = it.trait_.is_some();
-            it.items.retain_mut(|member| !of_trait && is_seen_member(member));
-            (of_trait || !it.items.is_empty()) && name(&it.self_ty).is_some_and(|name| types.contains(&name))
-        }
-        _ => false,
+        Item::Impl(it) => return has_members(it, types).then_some(item),
+        _ => return None,
     };
-    is_seen.then_some(item)
+    strip(attributes);
+    is_public(visibility).then_some(item)
+}
+
+fn strip_variant(variant: &mut Variant) {
+    strip(&mut variant.attrs);
+    variant.fields.iter_mut().for_each(|field| strip(&mut field.attrs));
+}
+
+/// Whether others see anything of an implementation, of which what they see is left: of a trait's, that there is one.
+fn has_members(of: &mut ItemImpl, types: &BTreeSet<String>) -> bool {
+    strip(&mut of.attrs);
+    let of_trait = of.trait_.is_some();
+    of.items.retain_mut(|member| !of_trait && is_seen_member(member));
+    (of_trait || !of.items.is_empty()) && name(&of.self_ty).is_some_and(|name| types.contains(&name))
 }
 
 fn is_seen_member(member: &mut ImplItem) -> bool {
-    match member {
+    let (attributes, visibility) = match member {
         ImplItem::Fn(it) => {
-            strip(&mut it.attrs);
             it.block.stmts.clear();
-            is_public(&it.vis)
+            (&mut it.attrs, &it.vis)
         }
-        ImplItem::Const(it) => {
-            strip(&mut it.attrs);
-            is_public(&it.vis)
-        }
-        _ => false,
-    }
+        ImplItem::Const(it) => (&mut it.attrs, &it.vis),
+        _ => return false,
+    };
+    strip(attributes);
+    is_public(visibility)
 }
 
 /// The last name of a type's path.

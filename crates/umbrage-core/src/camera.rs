@@ -9,7 +9,7 @@ use crate::error::CameraError;
 /// A projection says how a camera's rays run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
-    /// The camera is a pinhole.
+    /// All rays meet in the eye.
     Perspective {
         /// The whole vertical field of view, radians, between 0 and π.
         fov_y: f32,
@@ -40,9 +40,9 @@ pub struct Camera {
 const RIGID_TOLERANCE: f32 = 1e-3;
 
 impl Camera {
-    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres. The range of a
-    /// perspective camera may end nowhere: with [`f32::INFINITY`] as `far`, shadows end at the shadow distance of the settings, or
-    /// else where the world's bounds do.
+    /// Makes a camera from its rigid transform (columns right, up, back, eye) and its depth range in metres. The far plane of a
+    /// perspective camera may be infinitely far: with [`f32::INFINITY`] as `far`, shadows end at the shadow distance of the settings, or
+    /// else at the distance from the eye to the farthest corner of the world's bounds, rounded up by at most 6 %.
     ///
     /// # Errors
     /// When the transform is not rigid, the range is not 0 < near < far, or the projection is degenerate.
@@ -99,17 +99,30 @@ impl Camera {
         Ok(Self { centre, ..self })
     }
 
-    /// Makes a perspective camera of the tangents of the angles to the left, right, lower and upper sides of its picture, as displays
-    /// that are worn on the head give them. Those to the left and down are negative.
+    /// Makes a perspective camera of the tangents of the angles to the left, right, lower and upper sides of its picture. Those to the left
+    /// and down are negative. Head-mounted displays give the angles, radians, from which tangents are taken:
+    ///
+    /// ```
+    /// # use glam::Mat4;
+    /// # use umbrage_core::{Camera, CameraError};
+    /// // As OpenXR's `XrFovf` has them.
+    /// let (angle_left, angle_right, angle_up, angle_down) = (-0.94f32, 0.79, 0.85, -0.85);
+    /// let sides = [angle_left, angle_right, angle_down, angle_up].map(f32::tan);
+    /// let camera = Camera::with_sides(Mat4::IDENTITY, sides, 0.1, f32::INFINITY)?;
+    /// # Ok::<(), CameraError>(())
+    /// ```
     ///
     /// # Errors
-    /// As [`Self::new`], and when the direction of view is not within the picture.
+    /// As [`Self::new`], and [`CameraError::Sides`] when the direction of view is not within the picture, or sides are exchanged.
     pub fn with_sides(
         world_from_view: Mat4,
         [left, right, down, up]: [f32; 4],
         near: f32,
         far: f32,
     ) -> Result<Self, CameraError> {
+        if !(left < 0.0 && right > 0.0 && down < 0.0 && up > 0.0) {
+            return Err(CameraError::Sides([left, right, down, up]));
+        }
         let centre = [-(left + right) / (right - left), -(down + up) / (up - down)];
         let fov_y = 2.0 * (0.5 * (up - down)).atan();
         let projection = Projection::Perspective { fov_y, aspect: (right - left) / (up - down) };
@@ -376,7 +389,12 @@ mod tests {
             assert!((place.truncate() - Vec2::from(ndc)).length() < 1e-5, "{x}, {y} is at {place}");
         }
         let aside = Camera::with_sides(Mat4::IDENTITY, [0.1, 0.8, -0.9, 1.1], 0.1, 100.0);
-        assert!(matches!(aside, Err(CameraError::Centre(_))), "{aside:?}");
+        assert!(matches!(aside, Err(CameraError::Sides(_))), "{aside:?}");
+        let exchanged = Camera::with_sides(Mat4::IDENTITY, [-1.2, 0.8, 1.1, -0.9], 0.1, 100.0).unwrap_err();
+        assert!(
+            exchanged.to_string().contains("got left -1.2, right 0.8, down 1.1 and up -0.9"),
+            "{exchanged}"
+        );
     }
 
     #[test]

@@ -23,7 +23,9 @@ pub enum CameraError {
     NotRigid,
     /// The direction of view does not lie within the picture, NDC.
     Centre([f32; 2]),
-    /// Two eyes do not look the same way, or one of them is not a pinhole.
+    /// The tangents to the left, right, lower and upper sides of a picture do not have the direction of view between them.
+    Sides([f32; 4]),
+    /// Two eyes do not look the same way, or one of them is not a perspective camera.
     Eyes,
 }
 
@@ -55,6 +57,13 @@ impl fmt::Display for CameraError {
                 write!(
                     f,
                     "a camera's direction of view must lie between −1 and 1 in its picture, got {x}, {y}"
+                )
+            }
+            Self::Sides([left, right, down, up]) => {
+                write!(
+                    f,
+                    "the tangents to the sides of a picture need left < 0 < right and down < 0 < up, got left {left}, right {right}, \
+                     down {down} and up {up}"
                 )
             }
             Self::Eyes => {

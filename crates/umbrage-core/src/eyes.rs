@@ -1,9 +1,9 @@
 //! Which camera sees all that two eyes see? One plan for it serves both, and a receiver has the same view whichever eye looks.
 //!
-//! The eyes look the same way, from two places. The camera stands between them, so far behind that both lie in its frustum; its
-//! sides are as steep as those of either. So each eye's frustum lies in it.
+//! The eyes look the same way, from two places. The camera stands between them, so far behind that both lie in its frustum, and the
+//! rays to the corners of both pictures lie between its sides. So each eye's frustum lies in it.
 
-use glam::{DVec3, Mat4};
+use glam::{DMat3, DVec2, DVec3, Mat4};
 
 use crate::camera::{Camera, Projection};
 use crate::error::CameraError;
@@ -13,63 +13,56 @@ const PARALLEL_TOLERANCE: f32 = 1e-4;
 
 impl Camera {
     /// Makes the camera that sees all that two eyes see: what a plan is made for that serves both. It stands behind them, by about
-    /// the distance between them, and view depths, the shadow distance among them, count from there.
+    /// the distance between them over the width of their pictures at a view depth of 1 (the difference of the tangents to the right and to
+    /// the left), and view depths, the shadow distance among them, count from there.
     ///
     /// # Errors
     /// When an eye is not a perspective camera, or their axes are not parallel.
     pub fn of_eyes(eyes: [&Self; 2]) -> Result<Self, CameraError> {
         let [one, other] = eyes;
-        let axes = |eye: &Self| [0, 1, 2].map(|i| eye.world_from_view().col(i).truncate());
-        let are_parallel =
-            axes(one).into_iter().zip(axes(other)).all(|(a, b)| (a - b).length() < PARALLEL_TOLERANCE);
-        let (Some(first), Some(second), true) = (sides(one), sides(other), are_parallel) else {
+        let is_perspective = |eye: &&Self| matches!(eye.projection(), Projection::Perspective { .. });
+        if !eyes.iter().all(is_perspective) || !are_parallel(one, other) {
             return Err(CameraError::Eyes);
-        };
-        let [right, up, back] = axes(one).map(|axis| axis.as_dvec3());
-        let apart = other.eye().as_dvec3() - one.eye().as_dvec3();
-        // Where the other eye is, along right, up and forward.
-        let [x, y, z] = [right, up, -back].map(|axis| axis.dot(apart));
-        let steepest: [f64; 4] = std::array::from_fn(|i| match i % 2 {
-            0 => first[i].min(second[i]),
-            _ => first[i].max(second[i]),
-        });
-        let [left, right_side, down, up_side] = steepest;
+        }
+        // Right, up and back of the one eye are the axes in what follows.
+        let world_from_axes = DMat3::from_mat4(one.world_from_view().as_dmat4());
+        let axes_from_world = world_from_axes.inverse();
+        let rays = eyes.map(|eye| rays(eye).map(|ray| axes_from_world * ray));
+        let tangents = || rays.iter().flatten().map(|ray| ray.truncate() / -ray.z);
+        let low = tangents().reduce(DVec2::min).unwrap_or_default();
+        let high = tangents().reduce(DVec2::max).unwrap_or_default();
+        let apart = axes_from_world * (other.eye().as_dvec3() - one.eye().as_dvec3());
         // Behind the nearer of both, so far that both lie in the frustum; a little more for what f32 rounds.
-        let behind = 1.001 * (x.abs() / (right_side - left)).max(y.abs() / (up_side - down))
-            + 1e-4 * f64::from(one.near());
-        let depth = behind - z.min(0.0);
+        let behind =
+            1.001 * (apart.truncate().abs() / (high - low)).max_element() + 1e-4 * f64::from(one.near());
+        let depth = behind + apart.z.max(0.0);
         // The middle of where it may stand.
-        let aside = |other: f64, low: f64, high: f64| 0.5 * (other - (low + high) * behind);
-        let (aside_x, aside_y) = (aside(x, left, right_side), aside(y, down, up_side));
-        let eye = one.eye().as_dvec3() + right * aside_x + up * aside_y + back * depth;
-        let depths = [depth, depth + z];
-        let near = depths[0] + f64::from(one.near());
-        let near = near.min(depths[1] + f64::from(other.near()));
-        let far = (depths[0] + f64::from(one.far())).max(depths[1] + f64::from(other.far()));
-        let world_from_view = with_eye(one.world_from_view(), eye);
+        let aside = 0.5 * (apart.truncate() - (low + high) * behind);
+        let eye = one.eye().as_dvec3() + world_from_axes * aside.extend(depth);
+        let depths = [depth, depth - apart.z];
+        let ends = |i: usize| {
+            let along = rays[i].map(|ray| -ray.z);
+            let near = f64::from(eyes[i].near()) * along.into_iter().fold(f64::INFINITY, f64::min);
+            let far = f64::from(eyes[i].far()) * along.into_iter().fold(0.0, f64::max);
+            [depths[i] + near, depths[i] + far]
+        };
+        let [[near, far], [other_near, other_far]] = [ends(0), ends(1)];
         Self::with_sides(
-            world_from_view,
-            steepest.map(|side| (side * (1.0 + 1e-5)) as f32),
-            near as f32,
-            far as f32,
+            Mat4 { w_axis: eye.as_vec3().extend(1.0), ..one.world_from_view() },
+            [low.x, high.x, low.y, high.y].map(|side| (side * (1.0 + 1e-5)) as f32),
+            near.min(other_near) as f32,
+            far.max(other_far) as f32,
         )
     }
 }
 
-fn with_eye(world_from_view: Mat4, eye: DVec3) -> Mat4 {
-    Mat4 { w_axis: eye.as_vec3().extend(1.0), ..world_from_view }
+fn are_parallel(one: &Camera, other: &Camera) -> bool {
+    let axes = |eye: &Camera| [0, 1, 2].map(|i| eye.world_from_view().col(i).truncate());
+    axes(one).into_iter().zip(axes(other)).all(|(a, b)| (a - b).length() < PARALLEL_TOLERANCE)
 }
 
-/// The tangents of the angles to the left, right, lower and upper sides of a perspective picture.
-fn sides(camera: &Camera) -> Option<[f64; 4]> {
-    match camera.projection() {
-        Projection::Perspective { .. } => {
-            let (half_height, half_width) = camera.half_extents(1.0);
-            let [x, y] = camera.centre().map(f64::from);
-            let of = |half: f64, centre: f64| [half * (-1.0 - centre), half * (1.0 - centre)];
-            let ([left, right], [down, up]) = (of(half_width, x), of(half_height, y));
-            Some([left, right, down, up])
-        }
-        Projection::Orthographic { .. } => None,
-    }
+/// What leads from an eye to the corners of its picture, at a view depth of 1, in world space.
+fn rays(eye: &Camera) -> [DVec3; 4] {
+    let [a, b, c, d, ..] = eye.slice_corners(1.0..1.0);
+    [a, b, c, d].map(|corner| corner - eye.eye().as_dvec3())
 }

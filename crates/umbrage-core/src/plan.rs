@@ -26,6 +26,7 @@ use crate::rectangle::Rectangle;
 use crate::samples::{ChosenRectangle, SampleRegion};
 use crate::settings::{MAX_LIGHTS, Select, Settings};
 use crate::split::{Splits, distances_within, split_distances, spot_splits};
+use crate::stabilise::quantise_up;
 use crate::view::ShadowView;
 use crate::view_key::ViewKey;
 use crate::warp::Warp;
@@ -375,12 +376,13 @@ fn shadowed_depths(
     Ok(camera.near()..far)
 }
 
-/// The view depth, metres, behind which nothing of the world lies: for cameras that see without end.
+/// The view depth, metres, behind which nothing of the world lies, whichever way the camera looks: where shadows of a camera with an
+/// infinite far plane end. It is rounded up in steps, so that cuts hold still while the eye moves a little, and always as it turns.
 fn end_of(bounds: &Bounds, camera: &Camera) -> f32 {
-    let depth =
-        |corner: glam::Vec3| (corner.as_dvec3() - camera.eye().as_dvec3()).dot(camera.forward().as_dvec3());
-    let deepest = bounds.world().corners().map(depth).into_iter().fold(0.0, f64::max);
-    // A world behind the eye, or none: any end will do.
-    let end = if deepest.is_finite() { deepest as f32 * 1.0001 } else { 0.0 };
+    let eye = camera.eye().as_dvec3();
+    let distances = bounds.world().corners().map(|corner| corner.as_dvec3().distance(eye));
+    let farthest = 1.0001 * distances.into_iter().fold(0.0, f64::max);
+    // No world, or all of it where the eye is: any end will do.
+    let end = if farthest > 0.0 && farthest.is_finite() { quantise_up(farthest) as f32 } else { 0.0 };
     end.max(2.0 * camera.near())
 }

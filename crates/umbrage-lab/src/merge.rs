@@ -2,11 +2,12 @@
 //!
 //! Nothing is measured here, and no adapter is needed: which adapter drew is read from the results.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::fmt;
 use std::path::PathBuf;
 
-use crate::{Entry, Experiment, LabError, Program, Row, Run, Store};
+use crate::store::key;
+use crate::{Entry, Experiment, LabError, Row, Run, Store};
 
 /// So many runs are named where many are missing.
 const NAMED: usize = 3;
@@ -91,14 +92,16 @@ pub fn merge(
     if let Some(other) = from.iter().find(|folder| !is_store(folder)) {
         return Err(MergeError::NoStore(other.clone()).into());
     }
-    let read = from.iter().map(|folder| Store::at(folder, into.program()));
-    let stores: Vec<Store> = read.chain([into.clone()]).collect();
-    let Held { entries, by_others } = Held::of(&stores, into.program(), adapter, runs)?;
+    let from: Vec<Store> = from.iter().map(|folder| Store::at(folder, into.program())).collect();
+    let Held { entries, by_others } = Held::of(&from, into, adapter, runs)?;
     let (mut rows, mut missing) = (Vec::new(), Vec::new());
     for Entry { variant, swept, run } in &entries {
-        match stores.iter().find_map(|store| store.get(run)) {
+        let taken = || {
+            let outcome = from.iter().find_map(|store| store.get(run))?;
+            Some(into.put(run, &outcome).map(|()| outcome))
+        };
+        match into.get(run).map(Ok).or_else(taken).transpose()? {
             Some(outcome) => {
-                into.put(run, &outcome)?;
                 rows.push(Row { variant: *variant, swept: swept.clone(), run: run.clone(), outcome });
             }
             None => missing.push(in_words(experiment, *variant, run)),
@@ -120,22 +123,27 @@ struct Held {
 
 impl Held {
     fn of(
-        stores: &[Store],
-        program: &Program,
+        from: &[Store],
+        into: &Store,
         adapter: Option<&str>,
         runs: impl Fn(&str, &str) -> Result<Vec<Entry>, LabError>,
     ) -> Result<Self, LabError> {
-        let held: Vec<Run> = stores.iter().flat_map(Store::runs).collect();
+        let given: Vec<Run> = from.iter().flat_map(Store::runs).collect();
+        let held: Vec<Run> = given.iter().cloned().chain(into.runs()).collect();
+        let keys = held.iter().map(key).collect::<Result<HashSet<_>, _>>()?;
         let makers: BTreeSet<_> =
             held.iter().map(|run| (run.adapter.as_str(), run.program.as_str())).collect();
         let (mut own, mut by_others) = (Vec::new(), 0);
         for (by, maker) in makers {
             let entries = runs(by, maker)?;
-            let count = entries.iter().filter(|entry| held.contains(&entry.run)).count();
-            if maker != program.hash() {
+            let wanted = entries.iter().map(|entry| key(&entry.run)).collect::<Result<HashSet<_>, _>>()?;
+            let count = wanted.intersection(&keys).count();
+            if maker != into.program().hash() {
                 by_others += count;
             } else if count > 0 {
-                own.push((by.to_owned(), entries));
+                let is_given =
+                    given.iter().any(|run| (run.adapter.as_str(), run.program.as_str()) == (by, maker));
+                own.push(Own { adapter: by.to_owned(), entries, is_given });
             }
         }
         match (own.is_empty(), by_others) {
@@ -146,15 +154,35 @@ impl Held {
     }
 }
 
-/// The runs by the one adapter that is wanted.
-fn by_adapter(own: Vec<(String, Vec<Entry>)>, wanted: Option<&str>) -> Result<Vec<Entry>, MergeError> {
-    let there: Vec<String> = own.iter().map(|(by, _)| by.clone()).collect();
+/// An adapter's runs, of which this program has results.
+struct Own {
+    adapter: String,
+    entries: Vec<Entry>,
+    /// Whether a store that is merged has results by it, and not only the one that is merged into.
+    is_given: bool,
+}
+
+/// The runs by the one adapter that is wanted: the one of that whole name, or else of a name with that part. What is left in the
+/// output alone is not in the way.
+fn by_adapter(mut own: Vec<Own>, wanted: Option<&str>) -> Result<Vec<Entry>, MergeError> {
+    let there: Vec<String> = own.iter().map(|own| own.adapter.clone()).collect();
     let name = wanted.unwrap_or_default().to_lowercase();
-    let mut chosen = own.into_iter().filter(|(by, _)| by.to_lowercase().contains(&name));
+    let is_whole = |own: &Own| own.adapter.to_lowercase() == name;
+    own.retain(|own| own.adapter.to_lowercase().contains(&name));
+    keep_if_any(&mut own, is_whole);
+    keep_if_any(&mut own, |own| own.is_given);
+    let mut chosen = own.into_iter();
     match (chosen.next(), chosen.next()) {
-        (Some((_, entries)), None) => Ok(entries),
+        (Some(own), None) => Ok(own.entries),
         (Some(_), Some(_)) => Err(MergeError::Adapters(there)),
         (None, _) => Err(MergeError::NoAdapter { name, there }),
+    }
+}
+
+/// Leaves those that something holds for, where there are any.
+fn keep_if_any(own: &mut Vec<Own>, holds: impl Fn(&Own) -> bool) {
+    if own.iter().any(&holds) {
+        own.retain(holds);
     }
 }
 
@@ -162,4 +190,34 @@ fn by_adapter(own: Vec<(String, Vec<Entry>)>, wanted: Option<&str>) -> Result<Ve
 fn in_words(experiment: &Experiment, variant: usize, run: &Run) -> String {
     let variant = experiment.variants.get(variant).map_or("", |variant| variant.name.as_str());
     format!("`{variant}` in {} from {}, repeat {}", run.world, run.camera, run.repeat)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How many adapters an error names that some are chosen from; `None` where one is chosen.
+    fn refused(of: &[(&str, bool)], wanted: Option<&str>) -> Option<usize> {
+        let own = of.iter().map(|(name, is_given)| Own {
+            adapter: (*name).to_owned(),
+            entries: Vec::new(),
+            is_given: *is_given,
+        });
+        match by_adapter(own.collect(), wanted) {
+            Ok(_) => None,
+            Err(MergeError::Adapters(there) | MergeError::NoAdapter { there, .. }) => Some(there.len()),
+            Err(other) => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn an_adapters_whole_name_is_that_adapter_and_leftovers_are_not_in_the_way() {
+        let [short, long] = [("Card 1", true), ("Card 12", true)];
+        assert_eq!(refused(&[short, long], None), Some(2));
+        assert_eq!(refused(&[short, long], Some("card")), Some(2));
+        assert_eq!(refused(&[short, long], Some("card 1")), None);
+        assert_eq!(refused(&[short, long], Some("Voodoo")), Some(2));
+        assert_eq!(refused(&[short, ("Card 12", false)], None), None);
+        assert_eq!(refused(&[short, ("Card 12", false)], Some("12")), None, "what is named is taken");
+    }
 }

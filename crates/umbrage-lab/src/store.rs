@@ -132,7 +132,7 @@ fn read(path: &Path) -> Option<Stored> {
 }
 
 /// The hash of all that a run holds. Fields are written in the order they are declared in, and there are no maps.
-fn key(run: &Run) -> Result<String, LabError> {
+pub(crate) fn key(run: &Run) -> Result<String, LabError> {
     Ok(hash(serde_json::to_string(run)?.as_bytes()))
 }
 

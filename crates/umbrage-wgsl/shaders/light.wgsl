@@ -50,6 +50,11 @@ fn umbrage_light_point(light: u32, world_position: vec3f, aside: vec3f) -> vec3f
     return moved - world_position;
 }
 
+/// Whether the rays of a light are parallel, so that it reaches everything.
+fn umbrage_is_sun(light: u32) -> bool {
+    return umbrage_frame.lights[light].kind == UMBRAGE_LIGHT_SUN;
+}
+
 /// Whether the views of a light are the faces of a cube, +X, −X, +Y, −Y, +Z, −Z, and not slices of the camera's depth.
 fn umbrage_has_faces(light: u32) -> bool {
     return umbrage_frame.lights[light].kind == UMBRAGE_LIGHT_POINT;

@@ -41,4 +41,12 @@ pub enum ImportError {
         /// The module.
         by: String,
     },
+    /// A line binds something in group 0, and not in the one way in which it can be moved to another place.
+    #[error(
+        "a shader module has a binding that cannot be moved: `{line}`; write it as `@group(0) @binding(7)`, on one line"
+    )]
+    Binding {
+        /// The line.
+        line: String,
+    },
 }

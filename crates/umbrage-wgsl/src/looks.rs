@@ -5,6 +5,7 @@ use encase::{ShaderSize, ShaderType, StorageBuffer};
 use glam::{DVec2, DVec3, Mat3, Mat4, UVec3, Vec3, Vec4};
 use umbrage_core::{Camera, ChosenRectangle, RUNGS_AN_OCTAVE, SampleRegion, ShadowPlan, ShadowView};
 
+use crate::contact_camera::picture_height;
 use crate::shared::shared_with_shaders;
 
 shared_with_shaders! {
@@ -94,7 +95,7 @@ impl LookBytes {
         looks.world_from_clip = clip_from_world.as_dmat4().inverse().as_mat4();
         looks.depth_row = forward.extend(-forward.dot(seen.eye()));
         looks.moved = (origin - before).as_vec3();
-        looks.picture_height = 2.0 / clip_from_world.row(1).truncate().length();
+        looks.picture_height = picture_height(&seen);
         looks.view_count = plan.views().len() as u32;
         looks.views.clear();
         looks.views.extend(plan.views().iter().map(|view| look(view, origin)));

@@ -28,7 +28,8 @@ pub fn receiver(key: &ShaderKey, slot: impl Into<Slot>) -> String {
 /// in a host that keeps its maps in its own way.
 ///
 /// # Errors
-/// When a module lacks a name that others import from it, or imports what is not there.
+/// When a module lacks a name that others import from it, imports what is not there, or declares a binding otherwise than as
+/// `@group(0) @binding(7)`.
 pub fn receiver_with(
     key: &ShaderKey,
     slot: impl Into<Slot>,
@@ -38,7 +39,7 @@ pub fn receiver_with(
     let (choices, constants) = (key.choices(), key.constants());
     let recipe =
         Recipe { roots: &roots, choices: &choices, constants: &constants, replaced, ..Recipe::default() };
-    Ok(slot.into().move_bindings(&link(recipe)?))
+    slot.into().move_bindings(&link(recipe)?)
 }
 
 /// What [`receiver`] binds.
@@ -128,7 +129,7 @@ pub fn second_caster(slot: impl Into<Slot>) -> String {
 
 fn caster_with(surface: &str, slot: Slot) -> String {
     let roots = &["caster/caster", surface, "caster/covers"];
-    said(link(Recipe { roots, ..Recipe::default() }).map(|text| slot.move_bindings(&text)))
+    said(link(Recipe { roots, ..Recipe::default() }).and_then(|text| slot.move_bindings(&text)))
 }
 
 /// What [`caster`] binds.
@@ -230,7 +231,7 @@ pub fn contact(contact: &Contact, slot: impl Into<Slot>) -> String {
     contact_in(contact, ContactDepth::default(), slot)
 }
 
-/// As [`contact`], in a depth that lies otherwise. Its bindings are [`contact_bindings_in`].
+/// As [`contact`], in a depth of another convention or kind. Its bindings are [`contact_bindings_in`].
 pub fn contact_in(contact: &Contact, depth: ContactDepth, slot: impl Into<Slot>) -> String {
     let Contact { length, steps, thickness } = *contact;
     let far = if depth.forward { 1.0 } else { 0.0 };
@@ -240,14 +241,14 @@ pub fn contact_in(contact: &Contact, depth: ContactDepth, slot: impl Into<Slot>)
         ShaderNumber { name: "UMBRAGE_CONTACT_STEPS", value: ShaderValue::U32(steps) },
         ShaderNumber { name: "UMBRAGE_CONTACT_THICKNESS", value: ShaderValue::F32(thickness) },
     ]);
-    let (roots, in_front) = (&["receiver/contact"], IN_EVERY_RECEIVER);
-    let text = link(Recipe { roots, constants: &constants, in_front, ..Recipe::default() });
-    let text = said(text.map(|text| slot.into().move_bindings(&text)));
-    match depth.multisampled {
-        // `textureLoad` has the level of one texture where it has the sample of the other.
-        true => text.replace("_depth: texture_2d<f32>", "_depth: texture_multisampled_2d<f32>"),
-        false => text,
-    }
+    let texture = match depth.multisampled {
+        true => "receiver/contact_depth_multisampled",
+        false => "receiver/contact_depth_single",
+    };
+    let (roots, choices, in_front) =
+        (&["receiver/contact"], &[("umbrage_contact_depth", texture)], IN_EVERY_RECEIVER);
+    let text = link(Recipe { roots, choices, constants: &constants, in_front, ..Recipe::default() });
+    said(text.and_then(|text| slot.into().move_bindings(&text)))
 }
 
 /// What [`contact`] binds: the camera of [`crate::contact_camera`], and the depth that it sees.

@@ -58,6 +58,7 @@ impl ApplicationHandler for Program {
         match event {
             WindowEvent::CloseRequested => self.end(events, None),
             WindowEvent::Resized(size) => open.resize([size.width, size.height]),
+            WindowEvent::Occluded(false) => open.window.request_redraw(),
             WindowEvent::RedrawRequested => match open.draw(self.start.elapsed().as_secs_f32()) {
                 Ok(is_drawn) => {
                     self.drawn += u32::from(is_drawn);
@@ -102,11 +103,11 @@ impl Open {
     fn resize(&mut self, size: [u32; 2]) {
         [self.config.width, self.config.height] = size.map(|side| side.max(1));
         self.surface.configure(&self.scene.device, &self.config);
+        self.window.request_redraw();
     }
 
     /// Draws a frame; whether there was something to draw into.
     fn draw(&mut self, seconds: f32) -> Result<bool> {
-        self.window.request_redraw();
         let texture = match self.surface.get_current_texture() {
             wgpu::CurrentSurfaceTexture::Success(texture)
             | wgpu::CurrentSurfaceTexture::Suboptimal(texture) => texture,
@@ -114,12 +115,17 @@ impl Open {
                 self.resize([self.config.width, self.config.height]);
                 return Ok(false);
             }
-            _ => return Ok(false), // the window is hidden
+            wgpu::CurrentSurfaceTexture::Timeout => {
+                self.window.request_redraw();
+                return Ok(false);
+            }
+            _ => return Ok(false), // the window is hidden, and says so when it no longer is
         };
         let encoder = self.scene.draw(&texture.texture, seconds)?;
         self.scene.queue.submit([encoder.finish()]);
         self.window.pre_present_notify();
         self.scene.queue.present(texture);
+        self.window.request_redraw();
         Ok(true)
     }
 }

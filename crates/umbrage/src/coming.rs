@@ -1,5 +1,6 @@
 //! Bytes of a buffer on their way to the CPU, which nobody waits for.
 
+use std::cell::Cell;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use crate::error::DeviceError;
@@ -9,6 +10,8 @@ use crate::error::DeviceError;
 pub(crate) struct Coming {
     copy: wgpu::Buffer,
     mapped: Receiver<Result<(), wgpu::BufferAsyncError>>,
+    /// Whether it was read, or the failure told: either happens once.
+    is_told: Cell<bool>,
 }
 
 impl Coming {
@@ -39,24 +42,27 @@ impl Coming {
             // The receiver may be gone.
             let _ = sender.send(result);
         });
-        Self { copy, mapped }
+        Self { copy, mapped, is_told: Cell::new(false) }
     }
 
-    /// The bytes, or none where the device failed or the commands were never submitted; `None` where they have not come yet.
+    /// The bytes once, or none where the device failed or the commands were never submitted; `None` before they have come, and after
+    /// that.
     pub fn take(&self) -> Option<Vec<u8>> {
         self.read(<[u8]>::to_vec).map(Result::unwrap_or_default)
     }
 
-    /// What `read` makes of the bytes, or why there are none; `None` where they have not come yet.
+    /// What `read` makes of the bytes, or why there are none, once; `None` before they have come, and after that.
     pub fn read<T>(&self, read: impl FnOnce(&[u8]) -> T) -> Option<Result<T, DeviceError>> {
-        match self.mapped.try_recv() {
-            Err(TryRecvError::Empty) => None,
-            Err(error) => Some(Err(DeviceError::new(error))),
-            Ok(Err(error)) => Some(Err(DeviceError::new(error))),
-            Ok(Ok(())) => Some(match self.copy.get_mapped_range(..) {
-                Ok(bytes) => Ok(read(&bytes)),
-                Err(error) => Err(DeviceError::new(error)),
-            }),
+        if self.is_told.get() {
+            return None;
         }
+        let mapped = match self.mapped.try_recv() {
+            Err(TryRecvError::Empty) => return None,
+            Err(error) => Err(DeviceError::new(error)),
+            Ok(mapped) => mapped.map_err(DeviceError::new),
+        };
+        self.is_told.set(true);
+        let bytes = mapped.and_then(|()| self.copy.get_mapped_range(..).map_err(DeviceError::new));
+        Some(bytes.map(|bytes| read(&bytes)))
     }
 }

@@ -25,7 +25,7 @@ impl ContactShadows {
         Self::with_depth(device, ContactDepth::default())
     }
 
-    /// Makes room for one camera, whose depth lies so.
+    /// Makes room for one camera, whose depth has the given convention and kind.
     pub fn with_depth(device: &wgpu::Device, depth: ContactDepth) -> Self {
         let objects = Objects::new(device);
         let camera = objects.buffer(&wgpu::BufferDescriptor {
@@ -55,7 +55,7 @@ impl ContactShadows {
     }
 
     /// What the shader reads, with the camera's `depth`: a texture of a depth format, such as `Depth32Float`, as large as the picture,
-    /// that lies as these were made for.
+    /// whose convention and kind are those that these were made for.
     pub fn bind_group(&self, device: &wgpu::Device, depth: &wgpu::TextureView) -> wgpu::BindGroup {
         Objects::new(device).group(&wgpu::BindGroupDescriptor {
             label: Some("ContactShadows::group"),

@@ -161,6 +161,11 @@ pub enum ShadowError {
     /// The maps could not be read back.
     #[error("the shadow maps could not be read back")]
     ReadBack(#[source] DeviceError),
+    /// In a page nothing comes from the device while one waits.
+    #[error(
+        "shadow maps do not come while a page waits for them; record Shadows::copy_maps, and take them in a later frame"
+    )]
+    Waited,
 }
 
 impl ShadowError {

@@ -311,6 +311,7 @@ pub enum CameraError {
     HalfHeight(f32),
     NotRigid,
     Centre([f32; 2]),
+    Sides([f32; 4]),
     Eyes,
 }
 impl fmt::Display for CameraError {}
@@ -647,7 +648,7 @@ pub use filter::*;
 pub use fit::Fit;
 pub use light::{Light, LightKind};
 pub use light_box::LightBox;
-pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, view_of};
+pub use lookup::{Lookup, MapTexels, PICTURE_SIZE, Place, Query, place_of, view_of};
 pub use moments::{Esm, Evsm2, Evsm4, Exponent, Moments, Msm, Precision, Vsm};
 pub use plan::{ShadowPlan, plan};
 pub use plane::Plane;
@@ -754,6 +755,13 @@ pub fn view_of<'a>(
     world_position: Vec3,
     world_normal: Vec3,
 ) -> Option<&'a ShadowView> {}
+pub fn place_of<'a>(
+    plan: &'a ShadowPlan,
+    settings: &'a Settings,
+    light: usize,
+    world_position: Vec3,
+    world_normal: Vec3,
+) -> Option<(&'a ShadowView, Place)> {}
 impl Lookup<'_> {
     pub fn visibility(
         &self,

@@ -49,7 +49,7 @@ pub struct ContactDepth {
     pub forward: bool,
     pub multisampled: bool,
 }
-pub const CONTACT_CAMERA_BYTES: usize = 144;
+pub const CONTACT_CAMERA_BYTES: usize = 160;
 pub fn contact_camera(camera: &Camera) -> [u8; CONTACT_CAMERA_BYTES] {}
 
 // error.rs
@@ -60,6 +60,7 @@ pub enum ImportError {
     Name { name: String, from: String, by: String },
     Circle { module: String, by: String },
     Malformed { line: String, by: String },
+    Binding { line: String },
 }
 
 // format.rs

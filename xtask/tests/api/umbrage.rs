@@ -95,6 +95,13 @@ pub struct Changed {
 }
 impl std::ops::BitOr for Changed {}
 
+// coming_maps.rs
+#[derive(Debug)]
+pub struct ComingMaps {}
+impl ComingMaps {
+    pub fn take(&self) -> Option<Result<MapTexels, ShadowError>> {}
+}
+
 // contact.rs
 #[derive(Debug)]
 pub struct ContactShadows {}
@@ -140,6 +147,7 @@ pub enum ShadowError {
     OccluderLeftToMaps,
     OccluderRoom { got: usize, max: usize },
     ReadBack(DeviceError),
+    Waited,
 }
 #[derive(Clone, Debug, thiserror::Error)]
 pub struct DeviceError();
@@ -159,10 +167,10 @@ pub use caster_pipeline::{CasterPipeline, CasterStage};
 pub use caster_state::CasterState;
 pub use casting::Casting;
 pub use changed::Changed;
+pub use coming_maps::ComingMaps;
 pub use contact::ContactShadows;
 pub use error::{DeviceError, ShadowError};
 pub use kept::Share;
-pub use maps::ComingMaps;
 pub use occluders::{OccluderRoom, Occluders};
 pub use refit::BentMesh;
 pub use resolve::Resolve;
@@ -181,7 +189,7 @@ pub use umbrage_core::{
     Stored, SummedVariance, TexelBasis, TexelExtent, TexelPrecision, Tile,
     TransparentCasters, Turn, Variance, ViewKey, Vsm, Warp, balanced_warp_near,
     ideal_storage_factor, kernel, largest_perspective_error, perspective_error,
-    perspective_texel_extent, plan, schema, split_distances, storage_factor,
+    perspective_texel_extent, place_of, plan, schema, split_distances, storage_factor,
     texel_extent, view_of,
 };
 pub use {glam, umbrage_occluders as casters, umbrage_wgsl as shaders, wgpu};
@@ -193,13 +201,6 @@ pub fn receiver_wgsl(
     capabilities: Capabilities,
     slot: impl Into<Slot>,
 ) -> String {}
-
-// maps.rs
-#[derive(Debug)]
-pub struct ComingMaps {}
-impl ComingMaps {
-    pub fn take(&self) -> Option<Result<MapTexels, ShadowError>> {}
-}
 
 // occluders.rs
 #[derive(Clone, Debug, PartialEq)]
@@ -256,6 +257,7 @@ impl Resolve {
         receivers: &wgpu::TextureView,
         timestamps: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) -> &wgpu::Buffer {}
+    pub fn traced(&self) -> Option<&wgpu::Buffer> {}
 }
 
 // shadows/access.rs

@@ -1,6 +1,6 @@
 //! Cameras that see without end, to one side, or with two eyes.
 
-use glam::{Mat4, Vec3};
+use glam::{DVec3, DVec4, Mat4, Vec3};
 use proptest::prelude::*;
 use umbrage_core::{Bounds, Camera, Fit, Light, Projection, Select, Settings, Warp, plan, view_of};
 
@@ -30,18 +30,30 @@ fn aside() -> impl Strategy<Value = Camera> {
         })
 }
 
-/// Two eyes, the one to the right and a little before the other, with pictures that mirror each other.
+/// Two eyes, the one to the right, a little before the other and a little rotated, with pictures that mirror each other.
 fn eyes() -> impl Strategy<Value = [Camera; 2]> {
     let offset = (0.01f32..0.4, -0.05f32..0.05, -0.1f32..0.1).prop_map(Vec3::from);
-    (place(), place(), [side(), side(), side(), side()], offset)
+    let turn = (direction(), -9e-5f32..9e-5)
+        .prop_map(|(axis, angle)| Mat4::from_axis_angle(axis.normalize_or(Vec3::Y), angle));
+    (place(), place(), [side(), side(), side(), side()], (offset, turn))
         .prop_filter("a way to look", |(eye, target, ..)| (*eye - *target).truncate().length() > 1.0)
-        .prop_map(|(eye, target, [l, r, d, u], offset)| {
+        .prop_map(|(eye, target, [l, r, d, u], (offset, turn))| {
             let left = looking(eye, target);
-            let right = left * Mat4::from_translation(offset);
+            let right = left * Mat4::from_translation(offset) * turn;
             let [left, right] = [(left, [-l, r, -d, u]), (right, [-r, l, -d, u])]
                 .map(|(from, sides)| Camera::with_sides(from, sides, 0.3, 400.0).unwrap());
             [left, right]
         })
+}
+
+/// Where a point is in a camera's picture, NDC in f64, and its view depth.
+fn in_picture(camera: &Camera, point: DVec3) -> [f64; 3] {
+    let to = point - camera.eye().as_dvec3();
+    let [right, up, back] = [0, 1, 2].map(|i| camera.world_from_view().col(i).truncate().as_dvec3());
+    let depth = -to.dot(back);
+    let clip_from_view = camera.clip_from_view().as_dmat4();
+    let clip = clip_from_view * DVec4::new(to.dot(right), to.dot(up), -depth, 1.0);
+    [clip.x / clip.w, clip.y / clip.w, depth]
 }
 
 proptest! {
@@ -80,6 +92,11 @@ proptest! {
         let plan = plan(&both, &[Light::directional(light).unwrap()], &bounds, &settings).unwrap();
         let behind = (both.eye() - eyes[0].eye()).length();
         prop_assert!(behind < 4.0, "{behind} m behind the eyes");
+        for corner in eyes.iter().flat_map(|eye| eye.slice_corners(0.3..400.0)) {
+            let [x, y, depth] = in_picture(&both, corner);
+            prop_assert!(x.abs() < 1.0 && y.abs() < 1.0, "a corner is at {x}, {y} of {both:?}");
+            prop_assert!((f64::from(both.near()) - 1e-3..f64::from(both.far()) + 1e-3).contains(&depth), "{depth} m in {both:?}");
+        }
         for (object, share) in shares {
             let receiver = point_in(&bounds.objects()[object], share);
             let (depth, is_seen_by_both) = seen(&both, receiver);
@@ -119,9 +136,33 @@ fn a_camera_without_end_has_the_plan_of_one_with_an_end_behind_the_shadows() {
 }
 
 #[test]
-fn eyes_that_look_two_ways_or_are_no_pinholes_are_refused() {
+fn stable_maps_of_a_camera_with_an_infinite_far_plane_hold_still_as_it_turns() {
+    let bounds = Bounds::of_world(Vec3::new(-40.0, 0.0, -70.0), Vec3::new(60.0, 20.0, 30.0));
+    let sun = [Light::directional(Vec3::new(0.4, -0.8, 0.3)).unwrap()];
+    let settings = Settings { fit: Fit::Stable, ..Settings::default() };
+    let eye = Vec3::new(3.0, 2.0, 5.0);
+    let plans = [0.0f32, 0.7, 2.9].map(|yaw| {
+        let from = looking(eye, eye + Vec3::new(yaw.sin(), 0.0, yaw.cos()));
+        let camera = Camera::with_sides(from, [-0.8, 0.8, -0.5, 0.5], 0.5, f32::INFINITY).unwrap();
+        plan(&camera, &sun, &bounds, &settings).unwrap()
+    });
+    let texels = |i: usize| plans[i].views().iter().map(|view| view.texel_metres).collect::<Vec<_>>();
+    for turned in [1, 2] {
+        assert_eq!(plans[turned].splits(), plans[0].splits());
+        assert_eq!(texels(turned), texels(0));
+    }
+}
+
+#[test]
+fn eyes_that_look_two_ways_or_are_no_perspective_cameras_are_refused() {
     let sides = [-0.8, 0.8, -0.5, 0.5];
     let eye = |target| Camera::with_sides(looking(Vec3::ZERO, target), sides, 0.5, 100.0).unwrap();
     let error = Camera::of_eyes([&eye(Vec3::NEG_Z), &eye(Vec3::new(0.1, 0.0, -1.0))]).unwrap_err();
     assert!(error.to_string().contains("parallel axes"), "{error}");
+    let flat = Projection::Orthographic { half_height: 4.0, aspect: 1.0 };
+    let flat = Camera::new(looking(Vec3::ZERO, Vec3::NEG_Z), flat, 0.5, 100.0).unwrap();
+    for eyes in [[&flat, &flat], [&eye(Vec3::NEG_Z), &flat], [&flat, &eye(Vec3::NEG_Z)]] {
+        let error = Camera::of_eyes(eyes).unwrap_err();
+        assert!(error.to_string().contains("perspective cameras"), "{error}");
+    }
 }

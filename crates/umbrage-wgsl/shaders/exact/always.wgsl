@@ -2,7 +2,7 @@
 
 import package::exact::not_known::UMBRAGE_UNDECIDED;
 import package::frame::umbrage_frame;
-import package::light::UMBRAGE_LIGHT_SUN;
+import package::light::umbrage_is_sun;
 import package::receiver::lookup::UmbrageReceiver;
 import package::receiver::no_view::UMBRAGE_NO_VIEW;
 import package::receiver::view::umbrage_lookup_of;
@@ -18,7 +18,7 @@ fn umbrage_known(light: u32, receiver: UmbrageReceiver) -> f32 {
     if receiver.depth > umbrage_frame.shadow_end {
         return 1.0;
     }
-    if umbrage_frame.lights[light].kind != UMBRAGE_LIGHT_SUN && !umbrage_may_reach(light, receiver) {
+    if !umbrage_is_sun(light) && !umbrage_may_reach(light, receiver) {
         return 1.0;
     }
     return UMBRAGE_UNDECIDED;

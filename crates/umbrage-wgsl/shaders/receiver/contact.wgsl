@@ -2,6 +2,7 @@
 // A march in world space toward the light, which looks into the camera's depth at every step. In front of it goes the
 // receiver's text. Depth is read texel by texel: as floats, since GL loads no depth otherwise. Of several samples it is the first.
 
+import chosen::umbrage_contact_depth;
 import constants::{UMBRAGE_CONTACT_FAR, UMBRAGE_CONTACT_LENGTH, UMBRAGE_CONTACT_STEPS, UMBRAGE_CONTACT_THICKNESS};
 import package::frame::umbrage_frame;
 import package::light::{umbrage_direction_to_light, umbrage_distance_to_light};
@@ -12,10 +13,11 @@ struct UmbrageContactCamera {
     world_from_clip: mat4x4f,
     /// View depth of world point p is dot(depth_row, vec4(p, 1)), metres.
     depth_row: vec4f,
+    /// How high the picture is where clip w is 1, metres.
+    picture_height: f32,
 }
 
 @group(0) @binding(0) var<uniform> umbrage_contact_camera: UmbrageContactCamera;
-@group(0) @binding(1) var umbrage_contact_depth: texture_2d<f32>;
 
 /// What rises less than this above a receiver's plane is the receiver itself, pixels.
 const UMBRAGE_CONTACT_LIFT: f32 = 0.25;
@@ -23,10 +25,13 @@ const UMBRAGE_CONTACT_LIFT: f32 = 0.25;
 const UMBRAGE_CONTACT_END: f32 = 0.25;
 const UMBRAGE_CONTACT_BORDER: f32 = 0.05;
 
-/// The world-space point that the camera sees at the centre of a texel.
-fn umbrage_contact_seen(texel: vec2i, size: vec2f) -> vec3f {
-    // Reversed, as the camera's matrix is: what is stored far away, 0 or 1, becomes 0.
-    let depth = abs(textureLoad(umbrage_contact_depth, texel, 0).x - UMBRAGE_CONTACT_FAR);
+/// What is stored of a texel, reversed as the camera's matrix is: what is stored far away, 0 or 1, becomes 0.
+fn umbrage_contact_stored(texel: vec2i) -> f32 {
+    return abs(textureLoad(umbrage_contact_depth, texel, 0).x - UMBRAGE_CONTACT_FAR);
+}
+
+/// The world-space point that the camera sees at the centre of a texel, at a reversed depth above 0.
+fn umbrage_contact_seen(texel: vec2i, depth: f32, size: vec2f) -> vec3f {
     let ndc = ((vec2f(texel) + 0.5) / size * 2.0 - 1.0) * vec2f(1.0, -1.0);
     let world = umbrage_contact_camera.world_from_clip * vec4f(ndc, depth, 1.0);
     return world.xyz / world.w;
@@ -44,9 +49,8 @@ fn umbrage_contact(light: u32, world_position: vec3f, world_normal: vec3f, pixel
     let way = to_light * umbrage_distance_to_light(light, world_position, UMBRAGE_CONTACT_LENGTH);
     let clip_from_world = umbrage_contact_camera.clip_from_world;
     let size = vec2f(textureDimensions(umbrage_contact_depth));
-    let up = vec3f(clip_from_world[0].y, clip_from_world[1].y, clip_from_world[2].y);
     let own = clip_from_world * vec4f(world_position, 1.0);
-    let pixel_metres = 2.0 * own.w / (size.y * length(up));
+    let pixel_metres = own.w * umbrage_contact_camera.picture_height / size.y;
     let noise = umbrage_gradient_noise(pixel);
     for (var i = 0u; i < UMBRAGE_CONTACT_STEPS; i++) {
         let share = (f32(i) + noise) / f32(UMBRAGE_CONTACT_STEPS);
@@ -58,7 +62,13 @@ fn umbrage_contact(light: u32, world_position: vec3f, world_normal: vec3f, pixel
         if clip.w <= 0.0 || to_border <= 0.0 || ndc.z > 1.0 {
             return 1.0;
         }
-        let seen = umbrage_contact_seen(vec2i((ndc.xy * vec2f(0.5, -0.5) + 0.5) * size), size);
+        let texel = vec2i((ndc.xy * vec2f(0.5, -0.5) + 0.5) * size);
+        let depth = umbrage_contact_stored(texel);
+        // Nothing but the sky is there, which may be infinitely far.
+        if depth <= 0.0 {
+            continue;
+        }
+        let seen = umbrage_contact_seen(texel, depth, size);
         let behind = dot(umbrage_contact_camera.depth_row, vec4f(sample - seen, 0.0));
         let height = dot(world_normal, seen - world_position);
         // A flat receiver is never above its own plane, so it needs no other bias.

@@ -30,6 +30,31 @@ fn shader_and_rust_agree_where_every_field_of_the_contact_camera_lies() {
 }
 
 #[test]
+fn a_picture_is_as_high_wherever_in_it_the_direction_of_view_lies() {
+    let from = |target| {
+        Camera::looking(
+            DVec3::new(3.0, 2.0, 1.0).as_vec3(),
+            target,
+            Vec3::Y,
+            Projection::Perspective { fov_y: 1.2, aspect: 1.5 },
+            0.5,
+            80.0,
+        )
+        .unwrap()
+    };
+    let camera = from(Vec3::new(-4.0, 1.0, -9.0));
+    let wanted = 2.0 * 0.6f32.tan();
+    for centre in [[0.0, 0.0], [0.3, -0.7], [-0.9, 0.5]] {
+        let bytes = contact_camera(&camera.with_centre(centre).unwrap());
+        let field =
+            contact_camera::Seen::fields().into_iter().find(|(name, _)| *name == "picture_height").unwrap();
+        let at = field.1 as usize;
+        let height = f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+        assert!((height - wanted).abs() < 1e-5, "{height} m at {centre:?}, wanted {wanted} m");
+    }
+}
+
+#[test]
 fn shader_and_rust_agree_where_every_field_of_the_looks_lies() {
     same(&samples(), "UmbrageLook", &looks::Look::fields());
     same(&samples(), "UmbrageLooks", &looks::Looks::fields());

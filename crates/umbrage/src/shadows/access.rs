@@ -1,7 +1,5 @@
 //! What a host needs for pipelines that ask for visibility, and to look into the maps.
 
-use std::sync::mpsc::TryRecvError;
-
 use umbrage_core::{MapLayout, MapTexels, Settings};
 use umbrage_wgsl::{ShaderKey, Slot, receiver};
 
@@ -97,10 +95,11 @@ impl Shadows {
         &self.parts.buffers.frame
     }
 
-    /// Copies all maps to the CPU, and waits for them. In a page it never returns: [`Self::copy_maps`] does not wait.
+    /// Copies all maps to the CPU, and waits for them. It fails in a page, where nothing comes while one waits: [`Self::copy_maps`] does
+    /// not wait.
     ///
     /// # Errors
-    /// When the device is lost, or this adapter cannot copy depth (GL).
+    /// When the device is lost, this adapter cannot copy depth (GL), or the program runs in a page.
     pub fn read_maps(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<MapTexels, ShadowError> {
         let mut encoder = device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("Shadows::read_maps") });
@@ -108,7 +107,7 @@ impl Shadows {
         queue.submit([encoder.finish()]);
         let failed = |error| ShadowError::ReadBack(DeviceError::new(error));
         device.poll(wgpu::PollType::wait_indefinitely()).map_err(failed)?;
-        coming.take().unwrap_or_else(|| Err(ShadowError::ReadBack(DeviceError::new(TryRecvError::Empty))))
+        coming.take().unwrap_or(Err(ShadowError::Waited))
     }
 
     /// Records a copy of all maps for the CPU, which comes when the commands are done.

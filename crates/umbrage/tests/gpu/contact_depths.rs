@@ -80,7 +80,7 @@ fn seen(drawn: &Drawn, world: &[[Vec3; 3]], camera: &Camera, of: ContactDepth) -
     view
 }
 
-/// What the march says at every query, in such a depth.
+/// What the march says at every query, in such a depth of the camera.
 fn march(
     drawn: &Drawn,
     world: &[[Vec3; 3]],
@@ -140,4 +140,61 @@ fn contact_shadows_are_those_of_reversed_depth_of_one_sample() {
         );
         assert!((differ as f64) < most, "{differ} of {} differ, more than {most}", wanted.len());
     }
+}
+
+#[test]
+fn contact_shadows_are_those_of_any_far_plane_and_any_part_of_a_picture() {
+    let world = world();
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    let look = |far| {
+        let (eye, aim) = (Vec3::new(-20.0, 9.0, 28.0), Vec3::ZERO);
+        Camera::looking(eye, aim, Vec3::Y, projection, 0.5, far).expect("a good camera")
+    };
+    let camera = look(150.0);
+    let settings = Settings { resolution: 256, ..Settings::default() };
+    let drawn = draw(device(wgpu::Backends::VULKAN), settings, &camera, &[Vec3::new(0.4, -0.8, 0.3)], &world);
+    // All that is asked is well within all of the pictures.
+    let queries: Vec<Query> = queries(&world, &look(150.0), 40)
+        .into_iter()
+        .filter(|query| {
+            camera.clip_from_world().project_point3(query.position).truncate().abs().max_element() < 0.6
+        })
+        .collect();
+    let of = |camera: &Camera| march(&drawn, &world, camera, &queries, ContactDepth::default());
+    let wanted = of(&camera);
+    let dark = wanted.iter().filter(|lit| **lit < 0.5).count();
+    assert!(dark > 50, "{dark} of {} are dark", wanted.len());
+    // Pixels lie elsewhere in a picture that is moved.
+    let aside = camera.with_centre([0.2, -0.25]).expect("a good camera");
+    for (name, camera, share) in [("infinite", look(f32::INFINITY), 0.005), ("aside", aside, 0.03)] {
+        let got = of(&camera);
+        let differ = wanted.iter().zip(&got).filter(|(a, b)| (*a - *b).abs() > 0.25).count();
+        println!("{name}: {differ} of {} differ, {dark} dark", wanted.len());
+        assert!((differ as f64) < share * wanted.len() as f64, "{name}: {differ} of {} differ", wanted.len());
+    }
+}
+
+#[test]
+fn maps_that_were_taken_come_once() {
+    let world = world();
+    let projection = Projection::Perspective { fov_y: 1.0, aspect: 1.0 };
+    let camera = Camera::looking(Vec3::new(-20.0, 9.0, 28.0), Vec3::ZERO, Vec3::Y, projection, 0.5, 150.0)
+        .expect("a good camera");
+    let settings = Settings { resolution: 256, ..Settings::default() };
+    let drawn = draw(device(wgpu::Backends::VULKAN), settings, &camera, &[Vec3::NEG_Y], &world);
+    let Drawn { device, queue, shadows, .. } = &drawn;
+    let mut encoder = device.create_command_encoder(&Default::default());
+    let coming = shadows.copy_maps(device, &mut encoder).expect("a copy");
+    assert!(coming.take().is_none(), "nothing was submitted");
+    queue.submit([encoder.finish()]);
+    device.poll(wgpu::PollType::wait_indefinitely()).expect("a device");
+    let maps = coming.take().expect("they have come").expect("maps");
+    assert_eq!(maps.depths, drawn.maps().depths);
+    assert!(coming.take().is_none() && coming.take().is_none(), "they came once");
+
+    let mut encoder = device.create_command_encoder(&Default::default());
+    let dropped = shadows.copy_maps(device, &mut encoder).expect("a copy");
+    drop(encoder);
+    assert!(matches!(dropped.take(), Some(Err(_))), "the commands are gone");
+    assert!(dropped.take().is_none(), "which is said once");
 }

@@ -221,30 +221,85 @@ fn what_the_window_shows_has_shadows_that_go_around() {
 #[cfg(target_os = "linux")]
 #[test]
 fn the_window_opens_draws_and_closes() {
-    use std::io::Read as _;
     use std::process::{Command, Stdio};
 
-    let tests = std::env::current_exe().expect("a program");
-    let program = tests.ancestors().nth(2).expect("target/PROFILE").join("examples/window");
-    assert!(program.exists(), "no {}: `cargo test -p umbrage` builds it", program.display());
-    let mut server = Command::new("Xvfb")
-        .args(["-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("Xvfb starts; run scripts/setup");
-    let (mut number, mut byte) = (String::new(), [0]);
-    let out = server.stdout.as_mut().expect("a pipe");
-    while out.read(&mut byte).expect("Xvfb says its number") == 1 && byte[0] != b'\n' {
-        number.push(char::from(byte[0]));
+    let program = program::fresh("window");
+    let mut server = Command::new("Xvfb");
+    server.args(["-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp"]);
+    server.stdout(Stdio::piped()).stderr(Stdio::null());
+    let mut server = program::Running(server.spawn().expect("Xvfb starts; run scripts/setup"));
+    let mut run = Command::new(program);
+    run.args(["--frames", "3"]).env("DISPLAY", format!(":{}", server.line())).env_remove("WAYLAND_DISPLAY");
+    let mut run = program::Running(run.stderr(Stdio::piped()).spawn().expect("the program starts"));
+    let (is_success, said) = run.end();
+    assert!(is_success, "{said}");
+}
+
+/// Example programs that are run as such.
+#[cfg(target_os = "linux")]
+mod program {
+    use std::io::{BufRead as _, BufReader, Read as _};
+    use std::path::{Path, PathBuf};
+    use std::process::{Child, Command};
+    use std::time::{Duration, Instant};
+    use std::{env, fs, thread};
+
+    /// An example's program as its sources are now: `cargo test --test gpu` alone makes none.
+    pub fn fresh(name: &str) -> PathBuf {
+        let tests = env::current_exe().expect("a program");
+        let folder = tests.ancestors().nth(2).expect("target/PROFILE");
+        let program = folder.join("examples").join(name);
+        if !is_fresh(&program) {
+            let mut cargo = Command::new(env!("CARGO"));
+            cargo.args(["build", "--package", "umbrage", "--example", name]);
+            cargo.args(folder.ends_with("release").then_some("--release"));
+            let status = cargo.current_dir(env!("CARGO_MANIFEST_DIR")).status().expect("cargo starts");
+            assert!(status.success(), "the example program {name} does not build");
+        }
+        program
     }
-    let run = Command::new(program)
-        .args(["--frames", "3"])
-        .env("DISPLAY", format!(":{number}"))
-        .env_remove("WAYLAND_DISPLAY")
-        .output();
-    server.kill().expect("Xvfb ends");
-    server.wait().expect("Xvfb ends");
-    let output = run.expect("the program starts");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+
+    /// Whether a program is newer than all that cargo says it is made of.
+    fn is_fresh(program: &Path) -> bool {
+        let time = |path: &Path| fs::metadata(path).and_then(|file| file.modified()).ok();
+        let (Some(made), Ok(list)) = (time(program), fs::read_to_string(program.with_extension("d"))) else {
+            return false;
+        };
+        let mut sources = list.split_whitespace().skip(1).map(Path::new);
+        sources.all(|path| time(path).is_some_and(|changed| changed <= made))
+    }
+
+    /// A program that ends with the test, whatever becomes of that.
+    pub struct Running(pub Child);
+
+    impl Running {
+        /// The first line that it prints.
+        pub fn line(&mut self) -> String {
+            let mut line = String::new();
+            let out = self.0.stdout.take().expect("a pipe");
+            BufReader::new(out).read_line(&mut line).expect("a line");
+            line.trim().to_owned()
+        }
+
+        /// Waits for its end, a minute at most: whether it succeeded, and what it said.
+        pub fn end(&mut self) -> (bool, String) {
+            let start = Instant::now();
+            while self.0.try_wait().expect("a program").is_none() {
+                assert!(start.elapsed() < Duration::from_secs(60), "the program has not ended in a minute");
+                thread::sleep(Duration::from_millis(50));
+            }
+            let mut said = String::new();
+            let mut pipe = self.0.stderr.take().expect("a pipe");
+            pipe.read_to_string(&mut said).expect("text");
+            (self.0.wait().expect("it has ended").success(), said)
+        }
+    }
+
+    impl Drop for Running {
+        fn drop(&mut self) {
+            // It may have ended by itself.
+            let _ = self.0.kill();
+            let _ = self.0.wait();
+        }
+    }
 }
