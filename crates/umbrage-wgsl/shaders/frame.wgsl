@@ -52,6 +52,10 @@ struct UmbrageLight {
     near: f32,
     /// The unit direction in which a spot shines; 0 for other lights.
     axis: vec3f,
+    /// How far the light shines, metres.
+    range: f32,
+    /// The cosine of the angle from a spot's axis to its rim; below −1 for other lights.
+    cos_rim: f32,
 }
 
 struct UmbrageFrame {

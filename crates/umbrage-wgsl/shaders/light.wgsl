@@ -30,6 +30,14 @@ fn umbrage_distance_to_light(light: u32, world_position: vec3f, longest: f32) ->
 /// Farther than all that a light shines on, metres.
 const UMBRAGE_FARTHEST_LIGHT: f32 = 1e18;
 
+/// Whether a light shines on a world-space point: within its range and its cone, or as near to its rim as rounding may move it.
+fn umbrage_shines_on(light: u32, world_position: vec3f) -> bool {
+    let distance = umbrage_distance_to_light(light, world_position, UMBRAGE_FARTHEST_LIGHT);
+    let from_light = -umbrage_direction_to_light(light, world_position);
+    let cosine = dot(umbrage_frame.lights[light].axis, from_light);
+    return distance <= umbrage_frame.lights[light].range && cosine >= umbrage_frame.lights[light].cos_rim - 1e-5;
+}
+
 /// How far before a light casters end on a ray that leads to it along a unit direction, metres: where the maps of its views
 /// begin, which are the faces of a cube around a point light.
 fn umbrage_near_along(light: u32, to_light: vec3f) -> f32 {
@@ -48,11 +56,6 @@ fn umbrage_light_point(light: u32, world_position: vec3f, aside: vec3f) -> vec3f
         return moved * UMBRAGE_FARTHEST_LIGHT;
     }
     return moved - world_position;
-}
-
-/// Whether the rays of a light are parallel, so that it reaches everything.
-fn umbrage_is_sun(light: u32) -> bool {
-    return umbrage_frame.lights[light].kind == UMBRAGE_LIGHT_SUN;
 }
 
 /// Whether the views of a light are the faces of a cube, +X, −X, +Y, −Y, +Z, −Z, and not slices of the camera's depth.

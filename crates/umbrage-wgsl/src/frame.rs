@@ -41,6 +41,8 @@ shared_with_shaders! {
         size: f32,
         near: f32,
         axis: Vec3,
+        range: f32,
+        cos_rim: f32,
     }
 }
 
@@ -186,12 +188,12 @@ fn sides([width, height]: [u32; 2]) -> Vec2 {
 fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, light: &Light) -> FrameLight {
     let mut views = plan.views().iter().filter(|view| view.light == index);
     let from_origin = |position: Vec3| (position.as_dvec3() - origin).as_vec3();
-    let (place, axis) = match light.kind() {
-        LightKind::Spot { position, direction, .. } => {
-            (from_origin(position), direction.normalize_or(Vec3::NEG_Y))
+    let (place, axis, range, cos_rim) = match light.kind() {
+        LightKind::Spot { position, direction, half_angle, range } => {
+            (from_origin(position), direction.normalize_or(Vec3::NEG_Y), range, half_angle.cos())
         }
-        LightKind::Point { position, .. } => (from_origin(position), Vec3::ZERO),
-        LightKind::Directional { direction } => (-direction, Vec3::ZERO),
+        LightKind::Point { position, range } => (from_origin(position), Vec3::ZERO, range, -2.0),
+        LightKind::Directional { direction } => (-direction, Vec3::ZERO, f32::MAX, -2.0),
     };
     FrameLight {
         place,
@@ -201,6 +203,8 @@ fn light(plan: &ShadowPlan, settings: &Settings, origin: DVec3, index: usize, li
         size: light.half_size(settings.filter.light_size().unwrap_or_default()),
         near: light.near(),
         axis,
+        range: range.min(f32::MAX),
+        cos_rim,
     }
 }
 
