@@ -134,7 +134,7 @@ const SHOWS: [(&str, PictureMode); 5] = [
 ];
 
 /// The keys of a link, for the message about one that is none.
-const KEYS: &str = "world, load, camera, eye, target, time, animation, hour, light.N.at, light.N.way, exposure, exposed-for, no-haze, preset, set, right.preset, right.set, divider, show, lines, truth, maps";
+const KEYS: &str = "world, load, camera, eye, target, time, animation, hour, light.N.position, light.N.direction, exposure, exposed-for, no-haze, preset, set, right.preset, right.set, divider, show, lines, truth, maps";
 
 /// Returns whether a world has this name, so that any program of this version can open it.
 pub fn is_built_in(world: &str) -> bool {
@@ -304,15 +304,18 @@ mod tests {
         for (wrong, wanted) in [
             ("colour=red", "`colour=red` is left out: a link has world, load, camera"),
             ("world=atlantis", "`world=atlantis` is left out: there is no such world here; there are "),
-            ("time=soon", "`time=soon` is left out: wanted seconds"),
+            ("time=soon", "`time=soon` is left out: wanted seconds, from -1000000 to 1000000"),
+            ("time=1e7", "`time=1e7` is left out: wanted seconds"),
+            ("eye=1e20,0,0", "`eye=1e20,0,0` is left out: wanted three numbers in metres"),
+            ("eye=0,0,0&target=1e-30,0,0", "`eye` and `target` are left out: they are the same point"),
             ("hour=30", "`hour=30` is left out: wanted an hour from "),
             ("exposure=101", "`exposure=101` is left out: wanted stops, from -100 to 100"),
             ("exposed-for=0", "`exposed-for=0` is left out: wanted lux, from 0.000001 to 1000000000"),
             (
-                "light.x.at=1,2,3",
-                "`light.x.at=1,2,3` is left out: wanted light.N.at or light.N.way, with the number of a light from 0",
+                "light.x.position=1,2,3",
+                "`light.x.position=1,2,3` is left out: wanted light.N.position or light.N.direction, with the number of a light from 0",
             ),
-            ("light.0.way=0,0,0", "`light.0.way=0,0,0` is left out: wanted a direction, as 0.3,-1,0.2"),
+            ("light.0.direction=0,0,0", "`light.0.direction=0,0,0` is left out: wanted a direction, as 0.3,-1,0.2"),
             ("divider=7", "`divider=7` is left out: wanted a share from 0.02 to 0.98"),
             ("show=ghosts", "`show=ghosts` is left out: wanted shadows, unshadowed, splits, texels, extents"),
             ("lines=hair", "`lines=hair` is left out: wanted slices, maps or casters, with commas between"),

@@ -71,7 +71,7 @@ pub struct MapSays {
     pub compare: f32,
     /// What the settings ask the lookup to stand off.
     pub asked: BiasMetres,
-    /// How far the lookup stands off the surface in all, rounding included, metres toward the light.
+    /// How far the lookup is offset from the surface in all, rounding included, metres toward the light.
     pub bias: f32,
     /// How far in front of the surface the texel's blocker lies, metres; `None` where the texel holds none.
     pub blocker: Option<f32>,
@@ -164,7 +164,7 @@ fn words(plan: &ShadowPlan, view: &ShadowView) -> String {
     const FACES: [&str; 6] = ["+X", "−X", "+Y", "−Y", "+Z", "−Z"];
     let count = plan.views().iter().filter(|other| other.light == view.light).count();
     match plan.lights()[view.light].kind() {
-        LightKind::Point { .. } => format!("face {} of the lamp's cube", FACES[view.split % 6]),
+        LightKind::Point { .. } => format!("face {} of the point light's cube", FACES[view.split % 6]),
         LightKind::Directional { .. } | LightKind::Spot { .. } if count == 1 => {
             "the light's one map".to_owned()
         }

@@ -62,7 +62,7 @@ fn half_extent(camera: &umbrage::Camera, distance: f32) -> f32 {
 fn widget(ui: &egui::Ui, number: usize, part: Part, name: &str, place: egui::Pos2) -> egui::Response {
     let name = if name.is_empty() { format!("light {number}") } else { name.to_owned() };
     let (words, help) = match part {
-        Part::At => (format!("position of {name}"), "Drag: the lamp moves across the picture."),
+        Part::At => (format!("position of {name}"), "Drag: the light moves across the picture."),
         Part::Way => (format!("direction of {name}"), "Drag: the light turns around what it shines at."),
     };
     let id = ui.scope_id().with(("light handle", number, part == Part::At));

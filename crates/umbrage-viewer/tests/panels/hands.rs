@@ -174,7 +174,7 @@ fn a_camera_is_saved_under_a_name_found_again_and_deleted() {
 }
 
 #[test]
-fn a_sun_is_dragged_by_its_handle_and_put_back() {
+fn a_sun_is_dragged_by_its_handle_and_reset() {
     let mut harness = whole("primitives");
     let sun = |harness: &mut Harness<'static, Viewer>| {
         let scene = std::sync::Arc::clone(&harness.state().world().expect("a world").scene);
@@ -188,7 +188,7 @@ fn a_sun_is_dragged_by_its_handle_and_put_back() {
     let after = sun(&mut harness);
     assert!(before.dot(after) < 0.999, "{before} {after}");
     assert_eq!(view(&mut harness).moved_lights.len(), 1);
-    harness.get_by_label("put back").click();
+    harness.get_by_label("reset lights").click();
     harness.run_steps(3);
     assert_eq!(sun(&mut harness), before);
 }
