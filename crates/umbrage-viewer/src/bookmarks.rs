@@ -125,6 +125,9 @@ mod tests {
         };
         let one = save(None, "tree").text();
         let both = save(Some(&one), "brook");
-        assert_eq!(both.of("grove").map(|bookmark| &bookmark.name[..]).collect::<Vec<_>>(), ["tree", "brook"]);
+        assert_eq!(
+            both.of("grove").map(|bookmark| &bookmark.name[..]).collect::<Vec<_>>(),
+            ["tree", "brook"]
+        );
     }
 }

@@ -58,7 +58,7 @@ pub async fn fetch(address: &str) -> Result<Vec<u8>, String> {
     let length =
         response.headers().get("content-length").ok().flatten().and_then(|length| length.parse().ok());
     crate::load::check_size(address, length.unwrap_or(0))?;
-    let broken = |_| "the file did not come whole; load the page again";
+    let broken = |_| "the download was interrupted; load the page again";
     let buffer = JsFuture::from(response.array_buffer().map_err(broken)?).await.map_err(broken)?;
     let bytes = js_sys::Uint8Array::new(&buffer);
     crate::load::check_size(address, u64::from(bytes.length()))?;

@@ -294,6 +294,10 @@ mod tests {
         let settings = Settings { splits: 3, lambda: 0.9, ..(preset.settings)() };
         assert_eq!(link.settings, [settings.clone(), settings]);
         assert_eq!((link.truth, link.camera.as_deref()), (true, Some("far view")));
+        for address in ["https://example.org/v=2/?world=knights", "/a=b/#world=knights"] {
+            let (link, messages) = Link::parse(address);
+            assert_eq!((link.world.as_deref(), messages), (Some("knights"), Vec::new()), "{address}");
+        }
         for none in ["", "?", "#", "https://example.org/umbrage/", "https://example.org/?probe"] {
             assert_eq!(Link::parse(none), (Link::default(), Vec::new()), "{none}");
         }
@@ -315,7 +319,10 @@ mod tests {
                 "light.x.position=1,2,3",
                 "`light.x.position=1,2,3` is left out: wanted light.N.position or light.N.direction, with the number of a light from 0",
             ),
-            ("light.0.direction=0,0,0", "`light.0.direction=0,0,0` is left out: wanted a direction, as 0.3,-1,0.2"),
+            (
+                "light.0.direction=0,0,0",
+                "`light.0.direction=0,0,0` is left out: wanted a direction, as 0.3,-1,0.2",
+            ),
             ("divider=7", "`divider=7` is left out: wanted a share from 0.02 to 0.98"),
             ("show=ghosts", "`show=ghosts` is left out: wanted shadows, unshadowed, splits, texels, extents"),
             ("lines=hair", "`lines=hair` is left out: wanted slices, maps or casters, with commas between"),
@@ -356,5 +363,9 @@ mod tests {
         let many = "&set=splits=0".repeat(5000);
         let (_, messages) = Link::parse(&many);
         assert!(messages.iter().any(|m| m.contains("at most")), "{messages:?}");
+        let unknown: String = (0..300).map(|i| format!("&k{i}=1")).collect();
+        let (_, messages) = Link::parse(&unknown);
+        let last = messages.last().map(String::as_str);
+        assert_eq!((messages.len(), last), (21, Some("280 more parts of the link are left out")));
     }
 }

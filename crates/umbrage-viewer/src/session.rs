@@ -268,7 +268,8 @@ impl Session {
         let Some(mut asked) = pick.take() else { return Ok(()) };
         let frame = view.frame(&world.scene, size_px)?;
         let (camera, lights, traces) = (view.camera(), view.lights(&world.scene), drawing.traces());
-        let picture = Picture { frame: &frame, settings: view.sides(), camera: &camera, lights: &lights, traces };
+        let picture =
+            Picture { frame: &frame, settings: view.sides(), camera: &camera, lights: &lights, traces };
         if asked.is_of(&picture) {
             asked.advance(drawing, &picture, || truth.bvh_at(context, &world.scene, &frame.pose))?;
             *pick = Some(asked);

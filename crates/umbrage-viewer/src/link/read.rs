@@ -16,6 +16,9 @@ const FARTHEST: f32 = 1e12;
 /// The camera looks at least so far, metres; nearer targets are its own place.
 const NEAREST: f32 = 1e-6;
 
+/// More messages about one link than this are only counted.
+const MOST_MESSAGES: usize = 20;
+
 /// A link that is being read.
 #[derive(Default)]
 struct Reader {
@@ -51,8 +54,7 @@ impl Reader {
             "eye" => self.eye = Some(vec3(value)?),
             "target" => self.target = Some(vec3(value)?),
             "time" => {
-                link.seconds =
-                    number(value, -1e6..=1e6).ok_or("wanted seconds, from -1000000 to 1000000")?;
+                link.seconds = number(value, -1e6..=1e6).ok_or("wanted seconds, from -1000000 to 1000000")?;
             }
             "animation" => link.animation = text(),
             "hour" => link.hour = Some(hour(value)?),
@@ -106,6 +108,11 @@ impl Reader {
         link.settings[0] = left.settings("", &mut messages);
         link.settings[1] =
             if link.compare { right.settings("right.", &mut messages) } else { link.settings[0].clone() };
+        let more = messages.len().saturating_sub(MOST_MESSAGES);
+        if more > 0 {
+            messages.truncate(MOST_MESSAGES);
+            messages.push(format!("{more} more parts of the link are left out"));
+        }
         (link, messages)
     }
 }
@@ -137,7 +144,8 @@ fn vec3(value: &str) -> Result<Vec3, String> {
 
 /// Reads `light.N.position` or `light.N.direction`.
 fn move_light(lights: &mut MovedLights, key: &str, value: &str) -> Result<(), String> {
-    let wanted = || "wanted light.N.position or light.N.direction, with the number of a light from 0".to_owned();
+    let wanted =
+        || "wanted light.N.position or light.N.direction, with the number of a light from 0".to_owned();
     let (number, part) =
         key.strip_prefix("light.").and_then(|rest| rest.split_once('.')).ok_or_else(wanted)?;
     let number: usize = number.parse().map_err(|_| wanted())?;

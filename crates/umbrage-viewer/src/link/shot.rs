@@ -121,9 +121,18 @@ impl Link {
 /// The world's camera that gives the view its lens, and where the view's camera is if that is not its place.
 fn camera(view: &ViewState, scene: &Scene) -> (Option<String>, Option<[Vec3; 2]>) {
     let camera = view.camera();
-    let number = scene.cameras.iter().position(|known| known.name == camera.name).unwrap_or(0);
-    let name = scene.cameras.get(number).filter(|_| number != 0).map(|known| known.name.clone());
     let is_there = |known: &Camera| known.world_from_camera.abs_diff_eq(camera.world_from_camera, 1e-4);
+    let has_lens =
+        |known: &Camera| (known.lens, known.near, known.far) == (camera.lens, camera.near, camera.far);
+    let position = |is_meant: &dyn Fn(&Camera) -> bool| {
+        scene.cameras.iter().position(|known| known.name == camera.name && is_meant(known))
+    };
+    let first = position(&|_| true);
+    let own = position(&|known| has_lens(known) && is_there(known)).or_else(|| position(&has_lens));
+    let number = own.or(first).unwrap_or(0);
+    // Of several cameras of one name, the name means the first.
+    let name = if first == Some(number) { camera.name.clone() } else { number.to_string() };
+    let name = Some(name).filter(|_| number != 0);
     if scene.cameras.get(number).is_some_and(is_there) {
         return (name, None);
     }
@@ -164,6 +173,17 @@ mod tests {
     fn numbers() -> impl Strategy<Value = String> {
         let number = || (-9.99..9.99f32, -45..39i32).prop_map(|(share, power)| format!("{share}e{power}"));
         [number(), number(), number()].prop_map(|numbers| numbers.join(","))
+    }
+
+    #[test]
+    fn of_two_cameras_of_one_name_the_second_is_meant_by_its_number() {
+        let mut scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        scene.cameras.truncate(2);
+        scene.cameras[1].name = scene.cameras[0].name.clone();
+        let mut view = ViewState::new(&scene, Settings::default(), None);
+        view.go_to(&scene, &scene.cameras[1].clone());
+        let world = World::new(Source::Named("primitives".to_owned()), Arc::new(scene));
+        assert_eq!(Link::of(&world, &view).0.to_string(), "?world=primitives&camera=1");
     }
 
     proptest! {

@@ -52,12 +52,7 @@ pub fn show(ui: &mut egui::Ui, session: Option<&mut Session>, is_lost: bool) -> 
 }
 
 /// Asks why of the pixel that is clicked on.
-fn ask(
-    ui: &egui::Ui,
-    response: &egui::Response,
-    session: &mut Session,
-    size: [u32; 2],
-) -> Option<Action> {
+fn ask(ui: &egui::Ui, response: &egui::Response, session: &mut Session, size: [u32; 2]) -> Option<Action> {
     let asks = session.view.asks || ui.input(|input| input.modifiers.command);
     let place = response.interact_pointer_pos().filter(|_| response.clicked() && asks)?;
     let view = &session.view;

@@ -55,8 +55,7 @@ fn session_menus(
         ui.separator();
         chosen.or(bookmark_menu(ui, bookmarks, world.source.name(), &mut state.bookmark))
     });
-    let lesson =
-        menu(ui, "Lessons", "Eight pictures that explain shadow maps, one step each.", lesson_menu);
+    let lesson = menu(ui, "Lessons", "Eight pictures that explain shadow maps, one step each.", lesson_menu);
     let export = menu(ui, "Export", "Settings, pictures and experiments to keep.", |ui| {
         export_menu(ui, &mut state.picture, || Form::of_world(&world.scene.name))
     });

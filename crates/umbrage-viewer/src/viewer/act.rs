@@ -91,8 +91,8 @@ impl Viewer {
 
     /// Shows in the world that is open what a link says.
     fn show_link(&mut self, link: &Link) {
-        let left_out =
-            self.change_settings(|session| session.show(link), "the settings of the link cannot be used here");
+        let left_out = self
+            .change_settings(|session| session.show(link), "the settings of the link cannot be used here");
         self.messages.say_all(left_out.unwrap_or_default());
     }
 
@@ -174,10 +174,11 @@ impl Viewer {
     }
 
     fn save_picture(&mut self, SavedPicture { name, size }: SavedPicture) {
-        match self.session.as_mut().map(|session| session.request_picture(size)) {
-            Some(Ok(coming)) => self.tasks.saving = coming.map(|coming| (name, coming)),
-            Some(Err(why)) => self.messages.say(format!("the picture was not saved: {why}")),
-            None => {}
+        let Some(session) = &mut self.session else { return };
+        let checked = size.map_or(Ok(()), export::check_size);
+        match checked.and_then(|()| session.request_picture(size).map_err(|why| why.to_string())) {
+            Ok(coming) => self.tasks.saving = coming.map(|coming| (name, coming)),
+            Err(why) => self.messages.say(format!("the picture was not saved: {why}")),
         }
     }
 
