@@ -20,6 +20,9 @@ use crate::load::Source;
 use crate::moved_lights::MovedLights;
 use crate::view_state::PictureMode;
 
+#[cfg(target_arch = "wasm32")]
+pub(crate) use read::one_line;
+
 /// What a link says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
@@ -260,6 +263,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_table_of_the_page_on_links_has_the_keys_of_a_link() {
+        let page = include_str!("../../../docs/links.md");
+        let cells = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once(" |"));
+        let keys: Vec<&str> =
+            cells.flat_map(|(cell, _)| cell.split(", ")).map(|key| key.trim_matches('`')).collect();
+        let mut wanted: Vec<&str> = KEYS.split(", ").collect();
+        let mut listed = keys.clone();
+        wanted.sort_unstable();
+        listed.sort_unstable();
+        assert_eq!(listed, wanted);
     }
 
     #[test]
