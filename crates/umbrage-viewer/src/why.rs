@@ -36,7 +36,7 @@ pub struct Question<'a> {
     pub shown: f32,
 }
 
-/// The answer.
+/// The answer to a question says what map, truth and picture have at the pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Why {
     /// The visibility that the picture has there, 0 to 1.
@@ -159,7 +159,7 @@ fn linear(view: &ShadowView, point: glam::DVec3) -> Option<f32> {
     (clip.w > 0.0).then(|| view.linear_depth(texel, ndc.z.max(f32::MIN_POSITIVE)))
 }
 
-/// A view in words.
+/// Returns the name of a view in words.
 fn words(plan: &ShadowPlan, view: &ShadowView) -> String {
     const FACES: [&str; 6] = ["+X", "−X", "+Y", "−Y", "+Z", "−Z"];
     let count = plan.views().iter().filter(|other| other.light == view.light).count();

@@ -86,7 +86,7 @@ impl Reader {
         Ok(())
     }
 
-    /// The right side's words: who names it compares.
+    /// Returns the right side's words, and has both sides compared, since the link names it.
     fn right(&mut self) -> &mut shadows::Words {
         self.link.compare = true;
         &mut self.sides[1]
