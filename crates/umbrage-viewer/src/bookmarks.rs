@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::keep;
 
-/// The name that they are kept under.
+/// Bookmarks are kept under this name.
 const FILE: &str = "bookmarks.toml";
 
-/// A place under a name.
+/// A bookmark is the camera at one place of one world, under a name.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Bookmark {
-    /// The name.
+    /// The bookmark's name.
     pub name: String,
     /// The name of the world, or of the file that it came from.
     pub world: String,
@@ -20,7 +20,7 @@ pub struct Bookmark {
     pub camera: String,
 }
 
-/// All of them, in the order in which they were saved.
+/// The bookmarks of all worlds, in the order in which they were saved.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Bookmarks {
     #[serde(default)]
@@ -36,19 +36,31 @@ impl Bookmarks {
         keep::read(FILE)?.map_or(Ok(Self::default()), |text| Self::parse(&text))
     }
 
-    /// Keeps them.
+    /// Makes a change of what is kept, to which another window may have added since, and takes over all of that.
     ///
     /// # Errors
-    /// In one line, when they cannot be written.
-    pub fn write(&self) -> Result<(), String> {
-        keep::write(FILE, &self.text())
-            .map_err(|why| format!("the bookmarks are not kept for the next time: {why}"))
+    /// In one line, when what is kept cannot be read, and stays as it is, or cannot be written.
+    pub fn keep(&mut self, change: impl Fn(&mut Self)) -> Result<(), String> {
+        let kept = || {
+            let text = keep::read(FILE)?;
+            let changed = Self::changed(text.as_deref(), change)?;
+            keep::write(FILE, &changed.text()).map(|()| changed)
+        };
+        *self = kept().map_err(|why| format!("the bookmarks are not kept for the next time: {why}"))?;
+        Ok(())
+    }
+
+    /// What is kept, with a change.
+    fn changed(text: Option<&str>, change: impl Fn(&mut Self)) -> Result<Self, String> {
+        let mut kept = text.map_or(Ok(Self::default()), Self::parse)?;
+        change(&mut kept);
+        Ok(kept)
     }
 
     fn parse(text: &str) -> Result<Self, String> {
         toml::from_str(text).map_err(|why| {
             let why = why.message().replace('\n', " ");
-            format!("the saved bookmarks cannot be read, and the next one that is saved replaces them: {why}")
+            format!("the saved bookmarks cannot be read, and stay as they are: {why}: {}", keep::place(FILE))
         })
     }
 
@@ -102,5 +114,20 @@ mod tests {
     fn what_is_not_theirs_is_said_in_a_line() {
         let why = Bookmarks::parse("bookmark = 3").expect_err("no bookmarks");
         assert!(why.contains("bookmarks cannot be read") && !why.contains('\n'), "{why}");
+        assert!(Bookmarks::changed(Some("bookmark = 3"), |all| all.bookmark.clear()).is_err(), "it stays");
+    }
+
+    #[test]
+    fn what_another_window_has_saved_stays() {
+        let save = |text: Option<&str>, name: &str| {
+            let bookmark = bookmark(name, "grove", "?camera=1");
+            Bookmarks::changed(text, |all| all.save(bookmark.clone())).expect("bookmarks")
+        };
+        let one = save(None, "tree").text();
+        let both = save(Some(&one), "brook");
+        assert_eq!(
+            both.of("grove").map(|bookmark| &bookmark.name[..]).collect::<Vec<_>>(),
+            ["tree", "brook"]
+        );
     }
 }

@@ -58,7 +58,7 @@ pub async fn fetch(address: &str) -> Result<Vec<u8>, String> {
     let length =
         response.headers().get("content-length").ok().flatten().and_then(|length| length.parse().ok());
     crate::load::check_size(address, length.unwrap_or(0))?;
-    let broken = |_| "the file did not come whole; load the page again";
+    let broken = |_| "the download was interrupted; load the page again";
     let buffer = JsFuture::from(response.array_buffer().map_err(broken)?).await.map_err(broken)?;
     let bytes = js_sys::Uint8Array::new(&buffer);
     crate::load::check_size(address, u64::from(bytes.length()))?;
@@ -71,7 +71,7 @@ pub async fn fetch(address: &str) -> Result<Vec<u8>, String> {
 /// When the browser keeps nothing for this page.
 pub fn kept(name: &str) -> Result<Option<String>, String> {
     let refused = |why: JsValue| format!("the browser keeps nothing for this page: {why:?}");
-    storage()?.get_item(name).map_err(refused)
+    storage()?.get_item(&key(name)).map_err(refused)
 }
 
 /// Lets the browser keep a text for the page under a name.
@@ -79,7 +79,12 @@ pub fn kept(name: &str) -> Result<Option<String>, String> {
 /// # Errors
 /// When it does not: some keep nothing in private windows.
 pub fn keep(name: &str, text: &str) -> Result<(), String> {
-    storage()?.set_item(name, text).map_err(|why| format!("the browser does not take it: {why:?}"))
+    storage()?.set_item(&key(name), text).map_err(|why| format!("the browser does not take it: {why:?}"))
+}
+
+/// A name as the key of what all pages of this origin share.
+fn key(name: &str) -> String {
+    format!("umbrage/{name}")
 }
 
 fn storage() -> Result<web_sys::Storage, String> {

@@ -20,12 +20,36 @@ pub fn save_picture(name: &str, picture: &Picture) -> Result<String, String> {
     save(&file_stem(name), "png", &png(picture)?)
 }
 
+/// The most pixels of a picture that is drawn to be saved: those of 7680 x 4320. With four samples each, and maps beside
+/// them, they need about 2 GiB on the device.
+const MOST_PIXELS: u64 = 7680 * 4320;
+
+/// Checks the size of a picture before it is drawn to be saved.
+///
+/// # Errors
+/// When it has more pixels than 7680 x 4320.
+pub fn check_size([width, height]: [u32; 2]) -> Result<(), String> {
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(format!(
+        "{width} x {height} are {pixels} pixels, and a picture may have {MOST_PIXELS} at most, as 7680 x 4320; choose a smaller size"
+    ))
+}
+
 /// A name as that of a file: without its extension, and not a path; `umbrage` where nothing is left.
 fn file_stem(name: &str) -> String {
     let name = name.trim();
-    let stem = name.strip_suffix(".png").unwrap_or(name);
+    let parts = name.len().checked_sub(4).and_then(|at| name.split_at_checked(at));
+    let stem = match parts {
+        Some((stem, extension)) if extension.eq_ignore_ascii_case(".png") => stem,
+        _ => name,
+    };
     let plain = |c: char| if c.is_control() || "/\\:*?\"<>|".contains(c) { '-' } else { c };
-    let stem: String = stem.trim_start_matches('.').chars().take(100).map(plain).collect();
+    let stem = stem.trim_start_matches('.');
+    // File systems count bytes: most take 255.
+    let stem: String = stem[..stem.floor_char_boundary(200)].chars().map(plain).collect();
     if stem.is_empty() { "umbrage".to_owned() } else { stem }
 }
 
@@ -230,9 +254,20 @@ mod tests {
             ("../../etc/x", "-..-etc-x"),
             ("a:b?", "a-b-"),
             (".png", "umbrage"),
+            ("knights.PNG", "knights"),
+            ("é.pn", "é.pn"),
         ] {
             assert_eq!(file_stem(name), stem, "{name}");
         }
+        assert_eq!(file_stem(&"影".repeat(100)), "影".repeat(66), "as many bytes as file systems take");
+    }
+
+    #[test]
+    fn a_picture_that_is_too_large_is_refused_with_its_size() {
+        assert_eq!(check_size([7680, 4320]), Ok(()));
+        let why = check_size([16384, 16384]).expect_err("too large");
+        assert!(why.contains("16384 x 16384 are 268435456 pixels"), "{why}");
+        assert!(check_size([u32::MAX, u32::MAX]).is_err());
     }
 
     #[test]

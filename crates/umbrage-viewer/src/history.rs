@@ -1,4 +1,4 @@
-//! Settings that there were, to go back to and forth again.
+//! The history holds the settings that there were, so that changes are undone and redone.
 
 use umbrage::Settings;
 
@@ -8,7 +8,7 @@ const MOST: usize = 200;
 /// The settings of both sides.
 pub type Sides = [Settings; 2];
 
-/// What can be undone and done again. A slider that is dragged is one step, however often its value changes.
+/// The history is what can be undone and redone. A slider that is dragged is one step, however often its value changes.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     past: Vec<Sides>,
@@ -50,12 +50,12 @@ impl History {
         Some(after)
     }
 
-    /// Whether there is something to undo.
+    /// Returns whether there is something to undo.
     pub fn can_undo(&self) -> bool {
         !self.past.is_empty()
     }
 
-    /// Whether there is something to do again.
+    /// Returns whether there is something to redo.
     pub fn can_redo(&self) -> bool {
         !self.future.is_empty()
     }

@@ -24,7 +24,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("C", "compare two settings"),
     ("M", "show the shadow maps"),
     ("Ctrl + Z", "undo the last change of settings"),
-    ("Ctrl + Shift + Z", "do it again"),
+    ("Ctrl + Shift + Z", "redo"),
     ("H", "hide the panels"),
     ("F1 or ?", "this list"),
 ];

@@ -38,6 +38,18 @@ pub fn write(name: &str, text: &str) -> Result<(), String> {
     }
 }
 
+/// Returns where a text is kept under a name, for people.
+pub fn place(name: &str) -> String {
+    #[cfg(target_arch = "wasm32")]
+    {
+        format!("{name} in the browser's local storage")
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        folder().map_or_else(|_| name.to_owned(), |folder| folder.join(name).display().to_string())
+    }
+}
+
 /// The folder of data, by the conventions of each system.
 #[cfg(not(target_arch = "wasm32"))]
 fn folder() -> Result<std::path::PathBuf, String> {

@@ -38,7 +38,7 @@ pub const LESSONS: [Lesson; 8] = [
     Lesson {
         title: "Bias",
         text: "A texel stores one depth for all that it covers, so a lit surface may shadow itself: the stripes on the left are shadow acne. A bias moves the comparison toward the light. The right side compares with the receiver's own plane instead of a large constant, so that shadows stay attached to what casts them.",
-        link: "?world=bias-court&set=filter.kind=hard&set=bias.receiver_plane=false&set=bias.normal=0.0&set=bias.bend=0.0&right.preset=default",
+        link: "?world=bias-court&set=filter.kind=hard&set=bias.receiver_plane=false&set=bias.bend=0.0&right.preset=default&right.set=filter.kind=hard",
     },
     Lesson {
         title: "Filters",
@@ -48,7 +48,7 @@ pub const LESSONS: [Lesson; 8] = [
     Lesson {
         title: "Exact rays",
         text: "A map is unsure only near the edges of shadows. There a ray through the triangles decides, and elsewhere the map does. The left side has maps alone, the right side maps with rays; the overlay marks what is still wrong.",
-        link: "?world=primitives&set=splits=1&set=resolution=512&set=filter.kind=hard&right.preset=exact&right.set=splits=1&truth",
+        link: "?world=primitives&set=splits=1&set=resolution=512&set=filter.kind=hard&right.preset=exact&right.set=splits=1&right.set=resolution=512&right.set=filter.kind=hard&truth",
     },
     Lesson {
         title: "Truth and error",

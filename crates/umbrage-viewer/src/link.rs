@@ -20,6 +20,9 @@ use crate::load::Source;
 use crate::moved_lights::MovedLights;
 use crate::view_state::PictureMode;
 
+#[cfg(target_arch = "wasm32")]
+pub(crate) use read::one_line;
+
 /// What a link says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
@@ -134,7 +137,7 @@ const SHOWS: [(&str, PictureMode); 5] = [
 ];
 
 /// The keys of a link, for the message about one that is none.
-const KEYS: &str = "world, load, camera, eye, target, time, animation, hour, light.N.at, light.N.way, exposure, exposed-for, no-haze, preset, set, right.preset, right.set, divider, show, lines, truth, maps";
+const KEYS: &str = "world, load, camera, eye, target, time, animation, hour, light.N.position, light.N.direction, exposure, exposed-for, no-haze, preset, set, right.preset, right.set, divider, show, lines, truth, maps";
 
 /// Returns whether a world has this name, so that any program of this version can open it.
 pub fn is_built_in(world: &str) -> bool {
@@ -263,6 +266,19 @@ mod tests {
     }
 
     #[test]
+    fn the_table_of_the_page_on_links_has_the_keys_of_a_link() {
+        let page = include_str!("../../../docs/links.md");
+        let cells = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once(" |"));
+        let keys: Vec<&str> =
+            cells.flat_map(|(cell, _)| cell.split(", ")).map(|key| key.trim_matches('`')).collect();
+        let mut wanted: Vec<&str> = KEYS.split(", ").collect();
+        let mut listed = keys.clone();
+        wanted.sort_unstable();
+        listed.sort_unstable();
+        assert_eq!(listed, wanted);
+    }
+
+    #[test]
     fn a_link_is_readable_and_says_no_more_than_it_must() {
         assert_eq!(Link::default().to_string(), "?");
         let preset = Preset::named("soft").expect("a preset");
@@ -294,6 +310,10 @@ mod tests {
         let settings = Settings { splits: 3, lambda: 0.9, ..(preset.settings)() };
         assert_eq!(link.settings, [settings.clone(), settings]);
         assert_eq!((link.truth, link.camera.as_deref()), (true, Some("far view")));
+        for address in ["https://example.org/v=2/?world=knights", "/a=b/#world=knights"] {
+            let (link, messages) = Link::parse(address);
+            assert_eq!((link.world.as_deref(), messages), (Some("knights"), Vec::new()), "{address}");
+        }
         for none in ["", "?", "#", "https://example.org/umbrage/", "https://example.org/?probe"] {
             assert_eq!(Link::parse(none), (Link::default(), Vec::new()), "{none}");
         }
@@ -304,15 +324,21 @@ mod tests {
         for (wrong, wanted) in [
             ("colour=red", "`colour=red` is left out: a link has world, load, camera"),
             ("world=atlantis", "`world=atlantis` is left out: there is no such world here; there are "),
-            ("time=soon", "`time=soon` is left out: wanted seconds"),
+            ("time=soon", "`time=soon` is left out: wanted seconds, from -1000000 to 1000000"),
+            ("time=1e7", "`time=1e7` is left out: wanted seconds"),
+            ("eye=1e20,0,0", "`eye=1e20,0,0` is left out: wanted three numbers in metres"),
+            ("eye=0,0,0&target=1e-30,0,0", "`eye` and `target` are left out: they are the same point"),
             ("hour=30", "`hour=30` is left out: wanted an hour from "),
             ("exposure=101", "`exposure=101` is left out: wanted stops, from -100 to 100"),
             ("exposed-for=0", "`exposed-for=0` is left out: wanted lux, from 0.000001 to 1000000000"),
             (
-                "light.x.at=1,2,3",
-                "`light.x.at=1,2,3` is left out: wanted light.N.at or light.N.way, with the number of a light from 0",
+                "light.x.position=1,2,3",
+                "`light.x.position=1,2,3` is left out: wanted light.N.position or light.N.direction, with the number of a light from 0",
             ),
-            ("light.0.way=0,0,0", "`light.0.way=0,0,0` is left out: wanted a direction, as 0.3,-1,0.2"),
+            (
+                "light.0.direction=0,0,0",
+                "`light.0.direction=0,0,0` is left out: wanted a direction, as 0.3,-1,0.2",
+            ),
             ("divider=7", "`divider=7` is left out: wanted a share from 0.02 to 0.98"),
             ("show=ghosts", "`show=ghosts` is left out: wanted shadows, unshadowed, splits, texels, extents"),
             ("lines=hair", "`lines=hair` is left out: wanted slices, maps or casters, with commas between"),
@@ -353,5 +379,9 @@ mod tests {
         let many = "&set=splits=0".repeat(5000);
         let (_, messages) = Link::parse(&many);
         assert!(messages.iter().any(|m| m.contains("at most")), "{messages:?}");
+        let unknown: String = (0..300).map(|i| format!("&k{i}=1")).collect();
+        let (_, messages) = Link::parse(&unknown);
+        let last = messages.last().map(String::as_str);
+        assert_eq!((messages.len(), last), (21, Some("280 more parts of the link are left out")));
     }
 }

@@ -13,6 +13,11 @@ impl Messages {
         }
     }
 
+    /// Shows messages, one after the other.
+    pub fn say_all(&mut self, messages: impl IntoIterator<Item = String>) {
+        messages.into_iter().for_each(|message| self.say(message));
+    }
+
     /// Returns all of them.
     pub fn all(&self) -> &[String] {
         &self.0

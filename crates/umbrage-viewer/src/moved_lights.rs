@@ -1,6 +1,6 @@
 //! Lights that someone moved: where they stand and which way they shine instead, and how a pointer drags them.
 //!
-//! A lamp is dragged in the plane through it that faces the camera. A sun, or the aim of a spot, is dragged on a sphere: its
+//! A point light is dragged in the plane through it that faces the camera. A sun, or the aim of a spot, is dragged on a sphere: its
 //! handle lies where the light comes from, and the middle of the sphere is what it shines at.
 
 use std::collections::BTreeMap;
@@ -90,9 +90,9 @@ impl Handle {
     /// Returns the move of a light whose handle for a part was dragged to a point.
     pub fn moved(&self, light: &Light, part: Part, before: MovedLight, point: Vec3) -> MovedLight {
         match (part, self.middle) {
-            (Part::At, _) | (Part::Way, None) => MovedLight { at: Some(point), ..before },
-            (Part::Way, Some(middle)) => {
-                let outward = point - middle;
+            (Part::At, _) => MovedLight { at: Some(point), ..before },
+            (Part::Way, middle) => {
+                let outward = point - middle.unwrap_or(light.position());
                 let way = if light.kind == LightKind::Directional { -outward } else { outward };
                 MovedLight { way: way.try_normalize().or(before.way), ..before }
             }
@@ -100,12 +100,17 @@ impl Handle {
     }
 }
 
-/// The ray through a place of the picture: its origin and unit direction.
+/// The ray through a place of the picture: its origin and unit direction. Both come from the lens and the camera's axes, so
+/// the direction is as exact far from the world's origin as there.
 fn ray(camera: &Camera, x: f32, y: f32) -> Option<(Vec3, Vec3)> {
-    let world_from_clip = camera.clip_from_world().inverse();
-    let at = |depth: f32| world_from_clip.project_point3(Vec3::new(x, y, depth));
-    let (near, beyond) = (at(1.0), at(0.5));
-    Some((near, (beyond - near).try_normalize()?))
+    let (lens, world_from_view) = (camera.clip_from_view(), camera.world_from_view());
+    let is_parallel = lens.w_axis.w != 0.0;
+    let middle = if is_parallel { lens.w_axis } else { -lens.z_axis };
+    let across = Vec3::new((x - middle.x) / lens.x_axis.x, (y - middle.y) / lens.y_axis.y, 0.0);
+    let (origin, direction) =
+        if is_parallel { (across, Vec3::NEG_Z) } else { (Vec3::ZERO, across + Vec3::NEG_Z) };
+    let direction = world_from_view.transform_vector3(direction).try_normalize()?;
+    Some((world_from_view.transform_point3(origin), direction))
 }
 
 /// The point of a sphere around `middle` through `was` that a ray meets on the side of `was`, or comes nearest to.
@@ -162,6 +167,21 @@ mod tests {
                 let follows = Handle::of(&moved, *part, Vec3::ZERO, 7.0).point;
                 assert!(follows.distance(there) < 1e-3, "{}, {part:?}: {follows} {there}", light.name);
             }
+        }
+    }
+
+    #[test]
+    fn a_ray_is_as_exact_5_km_from_the_origin_as_there() {
+        let there = Vec3::new(5000.0, 0.0, 5000.0);
+        let eye = there + Vec3::new(0.0, 5.0, 20.0);
+        let scene = umbrage_scene::Camera::looking("c", eye, there, 1.0, 0.5, 100.0);
+        let far = umbrage_render::camera(&scene, 1.5).expect("a camera");
+        for (x, y) in [(0.0, 0.0), (0.3, -0.7), (-1.0, 1.0)] {
+            let [near, far] = [&camera(), &far].map(|camera| ray(camera, x, y).expect("a ray"));
+            assert!(near.1.distance(far.1) < 1e-6, "{x} {y}: {near:?} {far:?}");
+            let share = project(&camera(), near.0 + near.1 * 10.0).expect("before the eye");
+            let place = [2.0 * share[0] - 1.0, 1.0 - 2.0 * share[1]];
+            assert!((place[0] - x).abs() + (place[1] - y).abs() < 1e-5, "{x} {y}: {place:?}");
         }
     }
 

@@ -130,7 +130,7 @@ fn steps(ui: &mut egui::Ui, history: &History) -> Option<Action> {
         let undo = ui.add_enabled(history.can_undo(), egui::Button::new("undo"));
         let redo = ui.add_enabled(history.can_redo(), egui::Button::new("redo"));
         let undo = undo.on_hover_text("Undoes the last change of settings (Ctrl + Z).").clicked();
-        let redo = redo.on_hover_text("Does again what was undone (Ctrl + Shift + Z).").clicked();
+        let redo = redo.on_hover_text("Redoes what was undone (Ctrl + Shift + Z).").clicked();
         undo.then_some(Action::Undo).or(redo.then_some(Action::Redo))
     });
     row.inner

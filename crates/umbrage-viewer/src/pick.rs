@@ -1,5 +1,5 @@
-//! A pixel that someone asks why of: its visibility and its maps are read back, its rays are traced, and then there is an
-//! answer. Another picture needs another question.
+//! A pixel that someone asks why of. Its visibility and its maps are read back, its rays are traced, and then there is an
+//! answer. A question belongs to one picture, and is dropped with it.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ pub struct Pick {
     /// The number of the light that is asked about.
     pub light: usize,
     /// The picture that the pixel belongs to; absent until it is drawn.
-    of: Option<(Frame, Settings)>,
+    of: Option<(Frame, Settings, bool)>,
     coming: Option<Coming>,
     read: Option<Read>,
     answer: Option<Answer>,
@@ -76,6 +76,8 @@ pub struct Picture<'a> {
     pub camera: &'a Camera,
     /// The lights that shine.
     pub lights: &'a [Light],
+    /// Whether rays are traced where the settings ask for some.
+    pub traces: bool,
 }
 
 impl Pick {
@@ -98,7 +100,9 @@ impl Pick {
     /// Whether the pixel belongs to this picture.
     pub fn is_of(&self, picture: &Picture<'_>) -> bool {
         let settings = picture.settings.get(self.side);
-        let is_same = |(frame, of): &(Frame, Settings)| frame == picture.frame && Some(of) == settings;
+        let is_same = |(frame, of, traces): &(Frame, Settings, bool)| {
+            frame == picture.frame && Some(of) == settings && *traces == picture.traces
+        };
         settings.is_some() && self.of.as_ref().is_none_or(is_same)
     }
 
@@ -116,7 +120,7 @@ impl Pick {
             return Ok(());
         }
         if self.of.is_none() {
-            self.of = Some((picture.frame.clone(), picture.settings[self.side].clone()));
+            self.of = Some((picture.frame.clone(), picture.settings[self.side].clone(), picture.traces));
         }
         if self.read.is_none() {
             self.read(drawing, picture)?;
@@ -148,7 +152,7 @@ impl Pick {
     }
 
     fn answered(&self, read: &Read, picture: &Picture<'_>, world: &World) -> Answer {
-        let Picture { frame, settings, camera, lights } = *picture;
+        let Picture { frame, settings, camera, lights, traces: _ } = *picture;
         let eye = Eye::new(camera, frame.width, frame.height);
         let Some(light) = lights.get(self.light) else { return Answer::NoShadows };
         let rays = umbrage_judge::Light::at(light, &frame.pose);

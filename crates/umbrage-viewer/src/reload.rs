@@ -31,7 +31,7 @@ impl std::fmt::Debug for Reload {
 }
 
 impl Reload {
-    /// Watches a file that was read just now; `resolve` reads it again.
+    /// Watches a file that is read after this for the first time; `resolve` reads it again.
     pub fn new(path: PathBuf, resolve: Arc<Resolve>) -> Self {
         let mut reload = Self { path, resolve, read: None, next: Instant::now() };
         reload.read = reload.stamp();

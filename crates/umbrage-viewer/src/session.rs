@@ -53,8 +53,8 @@ struct Trial {
 }
 
 impl Session {
-    /// Opens a world whose drawing was made for the view's settings.
-    pub fn new(world: World, view: ViewState, drawing: Drawing) -> Self {
+    /// Opens a world whose drawing was made for the view's settings. `history` has the settings that there were before.
+    pub fn new(world: World, view: ViewState, drawing: Drawing, history: History) -> Self {
         let (truth, timings) = (TruthOverlay::default(), Timings::default());
         Self {
             world,
@@ -63,7 +63,7 @@ impl Session {
             truth,
             timings,
             casters: WorldCasters::default(),
-            history: History::default(),
+            history,
             pick: None,
             trial: None,
         }
@@ -75,21 +75,28 @@ impl Session {
     /// As [`Drawing::set_settings`]; then the settings stay as they were.
     pub fn set_settings(&mut self, settings: Settings) -> Result<(), RenderError> {
         let before = self.view.settings.clone();
-        self.view.settings[self.view.edited] = settings;
-        match self.drawing.set_settings(self.view.sides()) {
-            Ok(()) => {
-                self.history.record(before.clone());
-                // Of several changes in a row the settings before the first are the ones that are known to work.
-                if self.trial.as_ref().is_none_or(|trial| trial.frames >= TRIAL_FRAMES) {
-                    self.trial = Some(Trial { before, frames: 0 });
-                }
-                Ok(())
-            }
-            Err(why) => {
-                self.view.settings = before;
-                Err(why)
-            }
+        let mut wanted = before.clone();
+        wanted[self.view.edited] = settings;
+        self.apply_settings(wanted, self.view.compare)?;
+        self.history.record(before);
+        Ok(())
+    }
+
+    /// Draws with these settings, as one side or as two; where the device refuses them, as before.
+    fn apply_settings(&mut self, wanted: [Settings; 2], compare: bool) -> Result<(), RenderError> {
+        let before = std::mem::replace(&mut self.view.settings, wanted);
+        let has_compared = std::mem::replace(&mut self.view.compare, compare);
+        if let Err(why) = self.drawing.set_settings(self.view.sides()) {
+            (self.view.settings, self.view.compare) = (before, has_compared);
+            // The device has drawn with them.
+            let _ = self.drawing.set_settings(self.view.sides());
+            return Err(why);
         }
+        // Of several changes in a row the settings before the first are the ones that are known to work.
+        if self.trial.as_ref().is_none_or(|trial| trial.frames >= TRIAL_FRAMES) {
+            self.trial = Some(Trial { before, frames: 0 });
+        }
+        Ok(())
     }
 
     /// Goes back to the settings before the last step, or forth again.
@@ -98,23 +105,22 @@ impl Session {
     /// As [`Drawing::set_settings`]; then the settings stay as they were.
     pub fn step(&mut self, back: bool) -> Result<(), RenderError> {
         let now = self.view.settings.clone();
-        let Self { history, .. } = self;
-        let Some(wanted) = (if back { history.undo(now.clone()) } else { history.redo(now.clone()) }) else {
+        let mut history = self.history.clone();
+        let Some(wanted) = (if back { history.undo(now) } else { history.redo(now) }) else {
             return Ok(());
         };
-        self.view.settings = wanted;
-        self.drawing.set_settings(self.view.sides()).inspect_err(|_| self.view.settings = now)
+        self.apply_settings(wanted, self.view.compare)?;
+        self.history = history;
+        Ok(())
     }
 
     /// Shows two sides, or one.
     ///
     /// # Errors
-    /// As [`Drawing::set_settings`]; then one is shown.
+    /// As [`Drawing::set_settings`]; then as many are shown as before.
     pub fn set_compare(&mut self, compare: bool) -> Result<(), RenderError> {
-        (self.view.compare, self.view.edited) = (compare, 0);
-        let set = self.drawing.set_settings(self.view.sides());
-        self.view.compare &= set.is_ok();
-        set
+        self.view.edited = 0;
+        self.apply_settings(self.view.settings.clone(), compare)
     }
 
     /// Shows what a link says. Returns a message for each part that this world does not have.
@@ -122,17 +128,15 @@ impl Session {
     /// # Errors
     /// As [`Drawing::set_settings`]; then the settings stay as they were.
     pub fn show(&mut self, link: &Link) -> Result<Vec<String>, RenderError> {
-        let before = self.view.clone();
+        let before = self.view.settings.clone();
+        let has_compared = self.view.compare;
         let left_out = link.apply(&mut self.view, &self.world.scene);
-        if let Err(why) = self.drawing.set_settings(self.view.sides()) {
-            (self.view.settings, self.view.compare) = (before.settings, before.compare);
-            self.drawing.set_settings(self.view.sides())?;
-            return Err(why);
+        let wanted = std::mem::replace(&mut self.view.settings, before.clone());
+        let compare = std::mem::replace(&mut self.view.compare, has_compared);
+        self.apply_settings(wanted, compare)?;
+        if before != self.view.settings {
+            self.history.record(before);
         }
-        if before.settings != self.view.settings {
-            self.history.record(before.settings.clone());
-        }
-        self.trial = Some(Trial { before: before.settings, frames: 0 });
         Ok(left_out)
     }
 
@@ -200,7 +204,7 @@ impl Session {
     /// # Errors
     /// When a side cannot be drawn or compared.
     pub fn draw(&mut self, context: &egui::Context, size_px: [u32; 2]) -> Result<(), RenderError> {
-        let Self { world, view, drawing, truth, timings, pick, history: _, casters: _, trial: _ } = self;
+        let Self { world, view, drawing, truth, timings, .. } = self;
         let frame = view.frame(&world.scene, size_px)?;
         let mut has_drawn = false;
         for side in 0..drawing.sides() {
@@ -214,7 +218,6 @@ impl Session {
                 times.into_iter().for_each(|times| timings.push(now, times));
             }
         }
-        answer(context, pick, drawing, truth, world, view, &frame)?;
         if !view.compares_with_truth() {
             truth.stop();
             return Ok(());
@@ -255,27 +258,27 @@ impl Session {
         self.pick = None;
     }
 
+    /// Goes on with the question about a pixel of the picture that was drawn with so many pixels, and drops it where its
+    /// picture is not shown any more.
+    ///
+    /// # Errors
+    /// When the picture or its maps cannot be read back; then the question is dropped, too.
+    pub fn answer(&mut self, context: &egui::Context, size_px: [u32; 2]) -> Result<(), RenderError> {
+        let Self { world, view, drawing, truth, pick, .. } = self;
+        let Some(mut asked) = pick.take() else { return Ok(()) };
+        let frame = view.frame(&world.scene, size_px)?;
+        let (camera, lights, traces) = (view.camera(), view.lights(&world.scene), drawing.traces());
+        let picture =
+            Picture { frame: &frame, settings: view.sides(), camera: &camera, lights: &lights, traces };
+        if asked.is_of(&picture) {
+            asked.advance(drawing, &picture, || truth.bvh_at(context, &world.scene, &frame.pose))?;
+            *pick = Some(asked);
+        }
+        Ok(())
+    }
+
     /// Returns what the pictures and the comparison wait for, in words for people.
     pub fn waits_for(&self) -> impl Iterator<Item = &str> {
         self.casters.waits_for().into_iter().chain(self.truth.waits_for().filter(|_| self.view.truth))
     }
-}
-
-/// Goes on with the question about a pixel, and drops it where its picture is not shown any more.
-fn answer(
-    context: &egui::Context,
-    pick: &mut Option<Pick>,
-    drawing: &mut Drawing,
-    truth: &mut TruthOverlay,
-    world: &World,
-    view: &ViewState,
-    frame: &Frame,
-) -> Result<(), RenderError> {
-    let (camera, lights) = (view.camera(), view.lights(&world.scene));
-    let picture = Picture { frame, settings: view.sides(), camera: &camera, lights: &lights };
-    if pick.take_if(|pick| !pick.is_of(&picture)).is_some() {
-        return Ok(());
-    }
-    let Some(pick) = pick else { return Ok(()) };
-    pick.advance(drawing, &picture, || truth.bvh_at(context, &world.scene, &frame.pose))
 }

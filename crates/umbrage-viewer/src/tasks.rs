@@ -5,6 +5,8 @@ use umbrage_render::ComingPicture;
 use umbrage_scene::Imported;
 
 use crate::event::Event;
+#[cfg(target_arch = "wasm32")]
+use crate::link::one_line;
 use crate::load::Source;
 use crate::said::Said;
 use crate::task::Task;
@@ -98,7 +100,7 @@ async fn load(source: &Source, said: &Said) -> Result<Imported, String> {
 /// Fetches the file of a world, and reads it in a worker.
 #[cfg(target_arch = "wasm32")]
 async fn fetch(address: &str, said: &Said) -> Result<Imported, String> {
-    let failed = |why: String| format!("`load={address}` is left out: {why}");
+    let failed = |why: String| one_line(&format!("`load={address}` is left out: {why}"));
     said.say("waiting for the file");
     let bytes = crate::browser::fetch(address).await.map_err(failed)?;
     let name = crate::load::name_of(address, &bytes).map_err(failed)?;

@@ -8,7 +8,7 @@ use umbrage_scene::{Camera, Light, LightKind, Pose, Scene, Shining};
 
 use crate::flight::Flight;
 use crate::lines::PlanLines;
-use crate::moved_lights::MovedLights;
+use crate::moved_lights::{MovedLight, MovedLights};
 use crate::sky;
 
 /// What the picture shows of the world's surfaces.
@@ -173,23 +173,35 @@ impl ViewState {
         Shining::choose(&self.all_lights(scene), &self.camera(), &self.pose(scene), umbrage::MAX_LIGHTS)
     }
 
-    /// Returns all lights of the world, as they were moved.
-    pub fn all_lights(&self, scene: &Scene) -> Vec<Light> {
+    /// All lights of the world, as they were moved, and its first sun where the chosen hour puts it.
+    fn all_lights(&self, scene: &Scene) -> Vec<Light> {
         let pose = self.pose(scene);
         let moved = |(number, light): (usize, &Light)| match self.moved_lights.get(&number) {
             Some(moved) => moved.of(light, &pose),
             None => light.clone(),
         };
-        scene.lights.iter().enumerate().map(moved).collect()
-    }
-
-    /// Returns the lights that shine, with the sun where the chosen hour puts it.
-    pub fn lights(&self, scene: &Scene) -> Vec<Light> {
-        let mut lights = self.shining(scene).lights;
-        if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(|light| is_sun(light))) {
-            sun.world_from_light = Light::sun(sky::sunlight(hour), 1.0).world_from_light;
+        let mut lights: Vec<Light> = scene.lights.iter().enumerate().map(moved).collect();
+        let shines =
+            |light: &&mut Light| is_sun(light) && light.intensity > 0.0 && light.is_visible_in(&pose);
+        if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(shines)) {
+            *sun = MovedLight { at: None, way: Some(sky::sunlight(hour)) }.of(sun, &pose);
         }
         lights
+    }
+
+    /// Returns the lights that shine.
+    pub fn lights(&self, scene: &Scene) -> Vec<Light> {
+        self.shining(scene).lights
+    }
+
+    /// Returns the lights that shine as they stand at the time that is shown, with their numbers in the scene.
+    pub fn numbered_lights(&self, scene: &Scene) -> Vec<(usize, Light)> {
+        let pose = self.pose(scene);
+        // They are in the order of the scene.
+        let mut shining = self.shining(scene).lights.into_iter().peekable();
+        let mut all: Vec<(usize, Light)> = self.all_lights(scene).into_iter().enumerate().collect();
+        all.retain(|(_, light)| shining.next_if_eq(light).is_some());
+        all.into_iter().map(|(number, light)| (number, MovedLight::default().of(&light, &pose))).collect()
     }
 
     /// Returns whether the camera moves along the path.
@@ -256,5 +268,25 @@ mod tests {
         assert_eq!(names, (0..16).rev().map(|i| format!("lamp {i}")).collect::<Vec<_>>());
         let warnings = view.shining(&scene).warnings;
         assert!(warnings.len() == 1 && warnings[0].contains("\"lamp 16\""), "{warnings:?}");
+        let numbers: Vec<usize> =
+            view.numbered_lights(&scene).into_iter().map(|(number, _)| number).collect();
+        assert_eq!(numbers, (4..20).collect::<Vec<_>>(), "handles are of those that shine");
+    }
+
+    #[test]
+    fn numbered_lights_are_where_the_hour_and_the_time_put_them() {
+        let mut scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        let centre = glam::Vec3::new(0.0, 3.0, 0.0);
+        let lamp = Light::point("lamp", centre + glam::Vec3::X, 50.0, 9.0);
+        let motion = umbrage_scene::Motion::Rotation { centre, axis: glam::Vec3::Y, radians_per_second: 1.0 };
+        scene.lights.push(Light { motion, ..lamp });
+        let number = scene.lights.len() - 1;
+        let mut view = ViewState::new(&scene, Settings::default(), None);
+        (view.hour, view.seconds) = (Some(9.0), std::f32::consts::PI);
+        let lights = view.numbered_lights(&scene);
+        let sun = lights.iter().find(|(_, light)| is_sun(light)).expect("a sun");
+        assert!(sun.1.direction().abs_diff_eq(sky::sunlight(9.0).normalize(), 1e-5), "{:?}", sun.1);
+        let (_, lamp) = lights.iter().find(|(i, _)| *i == number).expect("a point light");
+        assert!(lamp.position().abs_diff_eq(centre - glam::Vec3::X, 1e-4), "{}", lamp.position());
     }
 }

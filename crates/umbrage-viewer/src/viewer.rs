@@ -17,6 +17,7 @@ use crate::action::Action;
 use crate::bookmarks::Bookmarks;
 use crate::device_errors::DeviceErrors;
 use crate::drawing::Drawing;
+use crate::history::History;
 use crate::input;
 use crate::link::Link;
 use crate::load::Source;
@@ -132,9 +133,7 @@ impl Viewer {
             bookmarks: Bookmarks::default(),
             panels: PanelState::default(),
         };
-        std::mem::take(&mut viewer.start.messages)
-            .into_iter()
-            .for_each(|message| viewer.messages.say(message));
+        viewer.messages.say_all(std::mem::take(&mut viewer.start.messages));
         if viewer.start.keeps {
             match Bookmarks::read() {
                 Ok(bookmarks) => viewer.bookmarks = bookmarks,
@@ -258,15 +257,27 @@ impl Viewer {
             (None, None) => self.first_view(&scene),
         };
         let left_out = self.link.take().map(|link| link.apply(&mut view, &scene)).unwrap_or_default();
-        left_out.into_iter().for_each(|message| self.messages.say(message));
+        self.messages.say_all(left_out);
         match Drawing::new(&self.gpu, &self.window, &scene, view.sides()) {
             Ok(drawing) => {
-                view.shining(&scene).warnings.into_iter().for_each(|warning| self.messages.say(warning));
-                self.session = Some(Session::new(World::new(source, scene), view, drawing));
+                self.messages.say_all(view.shining(&scene).warnings);
+                let history = self.history_before(&view);
+                self.session = Some(Session::new(World::new(source, scene), view, drawing, history));
                 self.panels.map = 0;
             }
             Err(why) => self.messages.say(format!("{} cannot be shown: {why}", source.name())),
         }
+    }
+
+    /// The settings that there were before this view of another world.
+    fn history_before(&mut self, view: &ViewState) -> History {
+        let Some(session) = &mut self.session else { return History::default() };
+        let mut history = std::mem::take(&mut session.history);
+        history.close_step();
+        if session.view.settings != view.settings {
+            history.record(session.view.settings.clone());
+        }
+        history
     }
 
     fn picture(&mut self, ui: &mut egui::Ui) {

@@ -36,7 +36,7 @@ pub struct Question<'a> {
     pub shown: f32,
 }
 
-/// The answer.
+/// The answer to a question says what map, truth and picture have at the pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Why {
     /// The visibility that the picture has there, 0 to 1.
@@ -71,7 +71,7 @@ pub struct MapSays {
     pub compare: f32,
     /// What the settings ask the lookup to stand off.
     pub asked: BiasMetres,
-    /// How far the lookup stands off the surface in all, rounding included, metres toward the light.
+    /// How far the lookup is offset from the surface in all, rounding included, metres toward the light.
     pub bias: f32,
     /// How far in front of the surface the texel's blocker lies, metres; `None` where the texel holds none.
     pub blocker: Option<f32>,
@@ -159,12 +159,12 @@ fn linear(view: &ShadowView, point: glam::DVec3) -> Option<f32> {
     (clip.w > 0.0).then(|| view.linear_depth(texel, ndc.z.max(f32::MIN_POSITIVE)))
 }
 
-/// A view in words.
+/// Returns the name of a view in words.
 fn words(plan: &ShadowPlan, view: &ShadowView) -> String {
     const FACES: [&str; 6] = ["+X", "−X", "+Y", "−Y", "+Z", "−Z"];
     let count = plan.views().iter().filter(|other| other.light == view.light).count();
     match plan.lights()[view.light].kind() {
-        LightKind::Point { .. } => format!("face {} of the lamp's cube", FACES[view.split % 6]),
+        LightKind::Point { .. } => format!("face {} of the point light's cube", FACES[view.split % 6]),
         LightKind::Directional { .. } | LightKind::Spot { .. } if count == 1 => {
             "the light's one map".to_owned()
         }

@@ -37,6 +37,8 @@ pub fn run(args: &ViewArgs) -> Outcome {
 
 /// What the options ask for.
 fn of_words(args: &ViewArgs) -> Outcome<Start> {
+    // It notes the file's state before the file is read, so that no change goes by while the world is loaded.
+    let reload = reload(args);
     let settings = settings::resolve(&args.shadows)?;
     let scene = open(args, &args.world)?;
     let camera = world::shot(&seen(args), &scene, world::PICTURE)?.camera;
@@ -45,7 +47,7 @@ fn of_words(args: &ViewArgs) -> Outcome<Start> {
         seconds: args.when.time,
         exposure: args.look.exposure(),
         haze: !args.look.no_haze,
-        reload: reload(args),
+        reload,
         ..of_scene(&args.world, scene, settings)
     })
 }

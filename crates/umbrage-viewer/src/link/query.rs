@@ -20,9 +20,9 @@ pub fn split(text: &str) -> Vec<(String, String)> {
     let text = text.trim();
     let query = match text.split_once(['?', '#']) {
         // A query alone may have a question mark in a value.
-        Some((before, _)) if before.contains('=') => text,
+        Some((before, _)) if before.contains('=') && !is_address(before) => text,
         Some((_, query)) => query,
-        None if text.contains("://") => "",
+        None if is_address(text) => "",
         None => text,
     };
     let pairs = query.split(['&', '#']).filter(|pair| !pair.is_empty());
@@ -30,6 +30,11 @@ pub fn split(text: &str) -> Vec<(String, String)> {
         .map(|pair| pair.split_once('=').unwrap_or((pair, "")))
         .map(|(k, v)| (decoded(k), decoded(v)))
         .collect()
+}
+
+/// Whether a text begins as the address of a page does, and not as a key.
+fn is_address(text: &str) -> bool {
+    text.starts_with('/') || text.split_once("://").is_some_and(|(scheme, _)| !scheme.contains('='))
 }
 
 /// Joins keys and values to a query, without its question mark. A value that is empty is left out with its `=`.

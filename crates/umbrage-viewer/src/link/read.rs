@@ -10,6 +10,15 @@ use crate::lines::PlanLines;
 use crate::moved_lights::MovedLights;
 use crate::sky;
 
+/// No place lies farther from the middle of the world than this along an axis, metres: squares of lengths stay numbers.
+const FARTHEST: f32 = 1e12;
+
+/// The camera looks at least so far, metres; nearer targets are its own place.
+const NEAREST: f32 = 1e-6;
+
+/// More messages about one link than this are only counted.
+const MOST_MESSAGES: usize = 20;
+
 /// A link that is being read.
 #[derive(Default)]
 struct Reader {
@@ -44,7 +53,9 @@ impl Reader {
             "camera" => link.camera = text(),
             "eye" => self.eye = Some(vec3(value)?),
             "target" => self.target = Some(vec3(value)?),
-            "time" => link.seconds = number(value, f32::MIN..=f32::MAX).ok_or("wanted seconds, as 2.5")?,
+            "time" => {
+                link.seconds = number(value, -1e6..=1e6).ok_or("wanted seconds, from -1000000 to 1000000")?;
+            }
             "animation" => link.animation = text(),
             "hour" => link.hour = Some(hour(value)?),
             "exposure" => {
@@ -75,7 +86,7 @@ impl Reader {
         Ok(())
     }
 
-    /// The right side's words: who names it compares.
+    /// Returns the right side's words, and has both sides compared, since the link names it.
     fn right(&mut self) -> &mut shadows::Words {
         self.link.compare = true;
         &mut self.sides[1]
@@ -85,7 +96,7 @@ impl Reader {
         let Self { mut link, eye, target, sides, mut messages } = self;
         let alone = |one, other| format!("`{one}` is left out: it needs `{other}` beside it");
         match (eye, target) {
-            (Some(eye), Some(target)) if eye == target => {
+            (Some(eye), Some(target)) if eye.distance(target) < NEAREST => {
                 messages.push("`eye` and `target` are left out: they are the same point".to_owned());
             }
             (Some(eye), Some(target)) => link.place = Some([eye, target]),
@@ -97,6 +108,11 @@ impl Reader {
         link.settings[0] = left.settings("", &mut messages);
         link.settings[1] =
             if link.compare { right.settings("right.", &mut messages) } else { link.settings[0].clone() };
+        let more = messages.len().saturating_sub(MOST_MESSAGES);
+        if more > 0 {
+            messages.truncate(MOST_MESSAGES);
+            messages.push(format!("{more} more parts of the link are left out"));
+        }
         (link, messages)
     }
 }
@@ -119,22 +135,23 @@ fn hour(value: &str) -> Result<f32, String> {
 }
 
 fn vec3(value: &str) -> Result<Vec3, String> {
-    let numbers: Option<Vec<f32>> = value.split(',').map(|one| number(one, f32::MIN..=f32::MAX)).collect();
+    let numbers: Option<Vec<f32>> = value.split(',').map(|one| number(one, -FARTHEST..=FARTHEST)).collect();
     match numbers.as_deref() {
         Some(&[x, y, z]) => Ok(Vec3::new(x, y, z)),
-        _ => Err("wanted three numbers in metres, as 1.5,2,-3".to_owned()),
+        _ => Err("wanted three numbers in metres, as 1.5,2,-3, each from -1e12 to 1e12".to_owned()),
     }
 }
 
-/// Reads `light.N.at` or `light.N.way`.
+/// Reads `light.N.position` or `light.N.direction`.
 fn move_light(lights: &mut MovedLights, key: &str, value: &str) -> Result<(), String> {
-    let wanted = || "wanted light.N.at or light.N.way, with the number of a light from 0".to_owned();
+    let wanted =
+        || "wanted light.N.position or light.N.direction, with the number of a light from 0".to_owned();
     let (number, part) =
         key.strip_prefix("light.").and_then(|rest| rest.split_once('.')).ok_or_else(wanted)?;
     let number: usize = number.parse().map_err(|_| wanted())?;
     match part {
-        "at" => lights.entry(number).or_default().at = Some(vec3(value)?),
-        "way" => {
+        "position" => lights.entry(number).or_default().at = Some(vec3(value)?),
+        "direction" => {
             let way = vec3(value)?;
             let way = Some(way).filter(|way| way.try_normalize().is_some());
             lights.entry(number).or_default().way = Some(way.ok_or("wanted a direction, as 0.3,-1,0.2")?);

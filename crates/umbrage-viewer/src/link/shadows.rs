@@ -9,8 +9,8 @@ use umbrage_lab::settings::{WrongSettings, asked, from_key, from_words, overlay}
 use super::read::one_line;
 use crate::edit;
 
-/// More settings than there are keys say nothing new.
-const MOST: usize = 100;
+/// More settings than this are left out: each that is wrong costs a try of all the others.
+const MOST: usize = 64;
 
 /// The words that name settings.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

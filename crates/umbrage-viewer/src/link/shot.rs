@@ -60,13 +60,11 @@ impl Link {
         let (known, unknown) = self.lights.iter().partition(|(number, _)| **number < scene.lights.len());
         view.moved_lights = known;
         let unknown: MovedLights = unknown;
-        messages.extend(unknown.keys().map(|number| {
-            format!(
-                "`light.{number}` is left out: the lights of {} are numbered from 0 to {}",
-                scene.name,
-                scene.lights.len().saturating_sub(1)
-            )
-        }));
+        let there = match scene.lights.len() {
+            0 => format!("{} has no lights", scene.name),
+            lights => format!("the lights of {} are numbered from 0 to {}", scene.name, lights - 1),
+        };
+        messages.extend(unknown.keys().map(|number| format!("`light.{number}` is left out: {there}")));
         (view.exposure, view.haze) = (self.exposure, self.haze);
         view.settings = self.settings.clone();
         (view.compare, view.edited, view.divider) = (self.compare, 0, self.divider);
@@ -123,9 +121,18 @@ impl Link {
 /// The world's camera that gives the view its lens, and where the view's camera is if that is not its place.
 fn camera(view: &ViewState, scene: &Scene) -> (Option<String>, Option<[Vec3; 2]>) {
     let camera = view.camera();
-    let number = scene.cameras.iter().position(|known| known.name == camera.name).unwrap_or(0);
-    let name = scene.cameras.get(number).filter(|_| number != 0).map(|known| known.name.clone());
     let is_there = |known: &Camera| known.world_from_camera.abs_diff_eq(camera.world_from_camera, 1e-4);
+    let has_lens =
+        |known: &Camera| (known.lens, known.near, known.far) == (camera.lens, camera.near, camera.far);
+    let position = |is_meant: &dyn Fn(&Camera) -> bool| {
+        scene.cameras.iter().position(|known| known.name == camera.name && is_meant(known))
+    };
+    let first = position(&|_| true);
+    let own = position(&|known| has_lens(known) && is_there(known)).or_else(|| position(&has_lens));
+    let number = own.or(first).unwrap_or(0);
+    // Of several cameras of one name, the name means the first.
+    let name = if first == Some(number) { camera.name.clone() } else { number.to_string() };
+    let name = Some(name).filter(|_| number != 0);
     if scene.cameras.get(number).is_some_and(is_there) {
         return (name, None);
     }
@@ -151,4 +158,55 @@ fn animation(view: &ViewState, scene: &Scene) -> Option<String> {
     let name = scene.rig.animations.get(number).map_or("", |animation| &animation.name);
     let is_found = scene.rig.find(name) == Some(number);
     Some(if is_found { name.to_owned() } else { number.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use proptest::prelude::*;
+    use umbrage::Settings;
+
+    use super::*;
+
+    /// Three numbers of any size, as a link may have them.
+    fn numbers() -> impl Strategy<Value = String> {
+        let number = || (-9.99..9.99f32, -45..39i32).prop_map(|(share, power)| format!("{share}e{power}"));
+        [number(), number(), number()].prop_map(|numbers| numbers.join(","))
+    }
+
+    #[test]
+    fn of_two_cameras_of_one_name_the_second_is_meant_by_its_number() {
+        let mut scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+        scene.cameras.truncate(2);
+        scene.cameras[1].name = scene.cameras[0].name.clone();
+        let mut view = ViewState::new(&scene, Settings::default(), None);
+        view.go_to(&scene, &scene.cameras[1].clone());
+        let world = World::new(Source::Named("primitives".to_owned()), Arc::new(scene));
+        assert_eq!(Link::of(&world, &view).0.to_string(), "?world=primitives&camera=1");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn a_wild_link_that_is_shown_is_written_again_without_numbers_that_are_none(
+            places in prop::array::uniform4(numbers()),
+            time in (-9.99..9.99f32, -45..39i32).prop_map(|(share, power)| format!("{share}e{power}")),
+            is_near in any::<bool>(),
+        ) {
+            let scene = umbrage_scene::worlds::build("primitives", 0).expect("a built-in world");
+            let [eye, target, position, direction] = places;
+            let eye = if is_near { "0,0,0".to_owned() } else { eye };
+            let text = format!(
+                "?eye={eye}&target={target}&light.0.position={position}&light.0.direction={direction}&time={time}"
+            );
+            let mut view = ViewState::new(&scene, Settings::default(), None);
+            Link::parse(&text).0.apply(&mut view, &scene);
+            let world = World::new(Source::Named("primitives".to_owned()), Arc::new(scene));
+            let written = Link::of(&world, &view).0.to_string();
+            prop_assert!(!written.contains("NaN") && !written.contains("inf"), "{} {}", text, written);
+            prop_assert_eq!(Link::parse(&written).1, [""; 0], "{}", written);
+        }
+    }
 }

@@ -11,8 +11,6 @@ const RADIUS: f32 = 9.0;
 /// How far from its middle a handle that is dragged on a sphere lies, as a share of the way from the picture's middle to its
 /// nearer rim.
 const REACH: f32 = 0.7;
-/// Of more lights than can shine none has a handle.
-const MOST: usize = umbrage::MAX_LIGHTS;
 
 /// Shows the handles over the picture, and moves the lights whose handles are dragged.
 pub fn show(ui: &egui::Ui, view: &mut ViewState, scene: &Scene, rect: Rect) {
@@ -20,10 +18,9 @@ pub fn show(ui: &egui::Ui, view: &mut ViewState, scene: &Scene, rect: Rect) {
         return;
     };
     let (target, reach) = (view.flight.target(), REACH * half_extent(&camera, view.flight.distance));
-    let lights = view.all_lights(scene);
-    for (number, light) in lights.iter().enumerate().take(MOST) {
-        for part in parts(light) {
-            let handle = Handle::of(light, *part, target, reach);
+    for (number, light) in view.numbered_lights(scene) {
+        for part in parts(&light) {
+            let handle = Handle::of(&light, *part, target, reach);
             let on_screen = |point| project(&camera, point).map(|[x, y]| rect.min + rect.size() * vec2(x, y));
             let Some(place) = on_screen(handle.point).filter(|place| rect.contains(*place)) else { continue };
             let response = widget(ui, number, *part, &light.name, place);
@@ -40,7 +37,7 @@ pub fn show(ui: &egui::Ui, view: &mut ViewState, scene: &Scene, rect: Rect) {
             let point = pointer.map(ndc).and_then(|ndc| handle.dragged(&camera, ndc.x, ndc.y));
             if let Some(point) = point {
                 let before = view.moved_lights.get(&number).copied().unwrap_or_default();
-                view.moved_lights.insert(number, handle.moved(light, *part, before, point));
+                view.moved_lights.insert(number, handle.moved(&light, *part, before, point));
                 if light.kind == LightKind::Directional {
                     // The hour would place it again.
                     view.hour = None;
@@ -62,7 +59,7 @@ fn half_extent(camera: &umbrage::Camera, distance: f32) -> f32 {
 fn widget(ui: &egui::Ui, number: usize, part: Part, name: &str, place: egui::Pos2) -> egui::Response {
     let name = if name.is_empty() { format!("light {number}") } else { name.to_owned() };
     let (words, help) = match part {
-        Part::At => (format!("position of {name}"), "Drag: the lamp moves across the picture."),
+        Part::At => (format!("position of {name}"), "Drag: the light moves across the picture."),
         Part::Way => (format!("direction of {name}"), "Drag: the light turns around what it shines at."),
     };
     let id = ui.scope_id().with(("light handle", number, part == Part::At));

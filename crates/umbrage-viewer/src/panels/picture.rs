@@ -33,10 +33,13 @@ pub fn show(ui: &mut egui::Ui, session: Option<&mut Session>, is_lost: bool) -> 
     }
     let mut actions = Vec::new();
     let size = size_px(rect, ui.pixels_per_point(), session.drawing.max_side_px());
-    ask(ui, &response, session, size);
+    actions.extend(ask(ui, &response, session, size));
     if !is_lost && let Err(why) = session.draw(ui.ctx(), size) {
         session.give_up();
         actions.push(Action::Say(format!("this cannot be drawn: {why}")));
+    }
+    if !is_lost && let Err(why) = session.answer(ui.ctx(), size) {
+        actions.push(Action::Say(format!("this pixel cannot be explained: {why}")));
     }
     paint(ui, session, rect);
     mark(ui, session, rect, size);
@@ -49,16 +52,19 @@ pub fn show(ui: &mut egui::Ui, session: Option<&mut Session>, is_lost: bool) -> 
 }
 
 /// Asks why of the pixel that is clicked on.
-fn ask(ui: &egui::Ui, response: &egui::Response, session: &mut Session, size: [u32; 2]) {
+fn ask(ui: &egui::Ui, response: &egui::Response, session: &mut Session, size: [u32; 2]) -> Option<Action> {
     let asks = session.view.asks || ui.input(|input| input.modifiers.command);
-    let place = response.interact_pointer_pos().filter(|_| response.clicked() && asks);
-    if let Some(place) = place {
-        let view = &session.view;
-        let is_right = place.x >= response.rect.left() + response.rect.width() * view.divider;
-        let side = usize::from(view.compare && is_right);
-        let light = session.pick.as_ref().map_or(0, |pick| pick.light);
-        session.pick = Some(Pick::new(pick::pixel_at(place, response.rect, size), side, light));
+    let place = response.interact_pointer_pos().filter(|_| response.clicked() && asks)?;
+    let view = &session.view;
+    if view.playing || view.follows_path() {
+        let why = "a pixel is explained while the picture holds still: stop the animation and the flight along the path, and ask again";
+        return Some(Action::Say(why.to_owned()));
     }
+    let is_right = place.x >= response.rect.left() + response.rect.width() * view.divider;
+    let side = usize::from(view.compare && is_right);
+    let light = session.pick.as_ref().map_or(0, |pick| pick.light);
+    session.pick = Some(Pick::new(pick::pixel_at(place, response.rect, size), side, light));
+    None
 }
 
 /// Marks the pixel that is asked about.

@@ -1,6 +1,6 @@
 //! The bar at the top: worlds, cameras, and what can be exported.
 
-use eframe::egui;
+use eframe::egui::{self, containers::menu::MenuConfig};
 use umbrage_scene::{Scene, worlds};
 
 use super::PanelState;
@@ -21,46 +21,72 @@ pub fn show(
     bookmarks: &Bookmarks,
     adapter: &str,
 ) -> Vec<Action> {
-    egui::MenuBar::new()
-        .ui(ui, |ui| {
-            let menu = ui.menu_button("World", |ui| world_menu(ui, &mut state.path));
-            menu.response.on_hover_text("Another world, or a file of yours.");
-            let mut actions: Vec<Action> = menu.inner.flatten().into_iter().collect();
-            let Some(Session { world, view, .. }) = session else { return actions };
-            let menu = ui.menu_button("Camera", |ui| {
-                let chosen = camera_menu(ui, view, &world.scene);
-                ui.separator();
-                chosen.or(bookmark_menu(ui, bookmarks, world.source.name(), &mut state.bookmark))
-            });
-            menu.response.on_hover_text("The world's cameras and your own, flying and orbit.");
-            actions.extend(menu.inner.flatten());
-            let menu = ui.menu_button("Lessons", lesson_menu);
-            menu.response.on_hover_text("Eight pictures that explain shadow maps, one step each.");
-            actions.extend(menu.inner.flatten());
-            let menu = ui.menu_button("Export", |ui| {
-                let form = || Form::of_world(&world.scene.name);
-                export_menu(ui, &mut state.picture, form)
-            });
-            menu.response.on_hover_text("Settings, pictures and experiments to keep.");
-            actions.extend(menu.inner.flatten());
-            let help = "Copies a link to what is shown: world, camera, time, settings and overlays. It opens in the page, and with `umbrage view --link`.";
-            if ui.button("Copy link").on_hover_text(help).clicked() {
-                actions.push(Action::CopyLink);
-            }
-            if ui.button("Keys").on_hover_text("Lists keys and gestures (F1).").clicked() {
-                actions.push(Action::Toggle(Toggle::Help));
-            }
-            if ui.button("Hide").on_hover_text("Hides the panels; H brings them back.").clicked() {
-                actions.push(Action::Toggle(Toggle::Panels));
-            }
-            ui.separator();
-            // Cut short rather than wider than the window.
-            let triangles = format!("{}: {} triangles", world.scene.name, world.scene.triangles());
-            ui.add(egui::Label::new(triangles).truncate());
-            ui.add(egui::Label::new(egui::RichText::new(adapter).weak()).truncate());
-            actions
-        })
-        .inner
+    // A click into one of a menu's fields does not close it.
+    let config = MenuConfig::new().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
+    let bar = egui::MenuBar::new().config(config);
+    bar.ui(ui, |ui| {
+        let help = "Another world, or a file of yours.";
+        let chosen = menu(ui, "World", help, |ui| world_menu(ui, &mut state.path));
+        let mut actions: Vec<Action> = chosen.into_iter().collect();
+        let Some(session) = session else { return actions };
+        actions.extend(session_menus(ui, session, state, bookmarks));
+        actions.extend(buttons(ui));
+        ui.separator();
+        // Cut short rather than wider than the window.
+        let scene = &session.world.scene;
+        let triangles = format!("{}: {} triangles", scene.name, scene.triangles());
+        ui.add(egui::Label::new(triangles).truncate());
+        ui.add(egui::Label::new(egui::RichText::new(adapter).weak()).truncate());
+        actions
+    })
+    .inner
+}
+
+/// The menus of the world that is open.
+fn session_menus(
+    ui: &mut egui::Ui,
+    Session { world, view, .. }: &mut Session,
+    state: &mut PanelState,
+    bookmarks: &Bookmarks,
+) -> Vec<Action> {
+    let help = "The world's cameras and your own, flying and orbit.";
+    let camera = menu(ui, "Camera", help, |ui| {
+        let chosen = camera_menu(ui, view, &world.scene);
+        ui.separator();
+        chosen.or(bookmark_menu(ui, bookmarks, world.source.name(), &mut state.bookmark))
+    });
+    let lesson = menu(ui, "Lessons", "Eight pictures that explain shadow maps, one step each.", lesson_menu);
+    let export = menu(ui, "Export", "Settings, pictures and experiments to keep.", |ui| {
+        export_menu(ui, &mut state.picture, || Form::of_world(&world.scene.name))
+    });
+    [camera, lesson, export].into_iter().flatten().collect()
+}
+
+/// A menu of the bar. Returns what was chosen.
+fn menu(
+    ui: &mut egui::Ui,
+    name: &str,
+    help: &str,
+    content: impl FnOnce(&mut egui::Ui) -> Option<Action>,
+) -> Option<Action> {
+    let menu = ui.menu_button(name, content);
+    menu.response.on_hover_text(help);
+    menu.inner.flatten()
+}
+
+/// The buttons beside the menus.
+fn buttons(ui: &mut egui::Ui) -> Vec<Action> {
+    let all = [
+        (
+            "Copy link",
+            "Copies a link to what is shown: world, camera, time, settings and overlays. It opens in the page, and with `umbrage view --link`.",
+            Action::CopyLink,
+        ),
+        ("Keys", "Lists keys and gestures (F1).", Action::Toggle(Toggle::Help)),
+        ("Hide", "Hides the panels; H brings them back.", Action::Toggle(Toggle::Panels)),
+    ];
+    let clicked = |(name, help, action)| ui.button(name).on_hover_text(help).clicked().then_some(action);
+    all.into_iter().filter_map(clicked).collect()
 }
 
 fn world_menu(ui: &mut egui::Ui, path: &mut String) -> Option<Action> {
@@ -91,8 +117,7 @@ fn path_field(ui: &mut egui::Ui, path: &mut String) -> Option<Action> {
         ui.text_edit_singleline(path).labelled_by(label.id)
     });
     let typed = field.inner.on_hover_text("The path of a .glb, .gltf or .obj; Enter opens it.");
-    let is_entered = typed.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
-    is_entered.then(|| {
+    is_entered(ui, &typed).then(|| {
         ui.close();
         Action::Load(Source::Named(path.trim().to_owned()))
     })
@@ -141,9 +166,11 @@ fn bookmark_menu(ui: &mut egui::Ui, bookmarks: &Bookmarks, world: &str, name: &m
         "The name of a bookmark: the camera as it is now, to come back to. It is kept for the next time.";
     ui.horizontal(|ui| {
         let label = ui.label("bookmark");
-        ui.text_edit_singleline(name).labelled_by(label.id).on_hover_text(help);
-        let save = ui.add_enabled(!name.trim().is_empty(), egui::Button::new("save"));
-        if save.on_hover_text("Saves the camera under this name.").clicked() {
+        let typed = ui.text_edit_singleline(name).labelled_by(label.id).on_hover_text(help);
+        let is_named = !name.trim().is_empty();
+        let save = ui.add_enabled(is_named, egui::Button::new("save"));
+        let is_clicked = save.on_hover_text("Saves the camera under this name (Enter).").clicked();
+        if is_clicked || is_named && is_entered(ui, &typed) {
             action = Some(Action::SaveBookmark(std::mem::take(name).trim().to_owned()));
         }
     });
@@ -174,6 +201,11 @@ fn export_menu(ui: &mut egui::Ui, picture: &mut Option<Form>, form: impl FnOnce(
         return Some(Action::ChooseReport);
     }
     None
+}
+
+/// Returns whether someone has typed a text to its end.
+fn is_entered(ui: &egui::Ui, typed: &egui::Response) -> bool {
+    typed.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter))
 }
 
 /// A button of a menu, which it closes. Returns whether it was clicked.

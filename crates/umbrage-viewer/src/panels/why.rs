@@ -113,7 +113,7 @@ fn map_rows(map: &MapSays) -> Vec<(&'static str, String, &'static str)> {
         (
             "bias",
             stands_off,
-            "How far the lookup stands off the surface in all, rounding included, toward the light.",
+            "How far the lookup is offset from the surface in all, rounding included, toward the light.",
         ),
         ("map's blocker", blocker, "What the texel holds, measured from the surface along the light."),
     ]

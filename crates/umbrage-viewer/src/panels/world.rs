@@ -41,9 +41,9 @@ pub fn show(ui: &mut egui::Ui, view: &mut ViewState, scene: &Scene) -> Option<Ac
 fn lights(ui: &mut egui::Ui, view: &mut ViewState) {
     ui.horizontal(|ui| {
         ui.checkbox(&mut view.handles, "move lights").on_hover_text(
-            "Each light has a handle in the picture: drag a lamp to another place, and a sun or a spot to another direction.",
+            "Each light has a handle in the picture: drag a point light or a spot to another place, and a sun or a spot to another direction.",
         );
-        let back = ui.add_enabled(!view.moved_lights.is_empty(), egui::Button::new("put back"));
+        let back = ui.add_enabled(!view.moved_lights.is_empty(), egui::Button::new("reset lights"));
         if back.on_hover_text("All lights are where the world has them again.").clicked() {
             view.moved_lights.clear();
         }

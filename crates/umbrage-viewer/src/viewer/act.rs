@@ -2,11 +2,12 @@
 
 use eframe::egui;
 use umbrage::Settings;
+use umbrage_render::RenderError;
 use umbrage_scene::worlds;
 
 use super::Viewer;
 use crate::action::{Action, SavedPicture, Toggle};
-use crate::bookmarks::Bookmark;
+use crate::bookmarks::{Bookmark, Bookmarks};
 use crate::lessons::LESSONS;
 use crate::link::Link;
 use crate::load::Source;
@@ -31,10 +32,7 @@ impl Viewer {
             Action::Redo => self.step(false),
             Action::SaveBookmark(name) => self.save_bookmark(name),
             Action::GoToBookmark(bookmark) => self.go_to_bookmark(&bookmark),
-            Action::DeleteBookmark(bookmark) => {
-                self.bookmarks.delete(&bookmark);
-                self.keep_bookmarks();
-            }
+            Action::DeleteBookmark(bookmark) => self.change_bookmarks(|all| all.delete(&bookmark)),
             Action::ToggleCompare => self.toggle_compare(),
             Action::Load(source) => self.load(context, source),
             Action::ChooseFile => self.tasks.opening = Some(files::choose(context)),
@@ -79,31 +77,47 @@ impl Viewer {
     }
 
     pub(super) fn set_settings(&mut self, settings: Settings) {
-        let Some(session) = &mut self.session else { return };
-        self.panels.refused = None;
-        if let Err(why) = session.set_settings(settings) {
-            self.messages.say(format!("these settings cannot be used here: {why}"));
-        }
+        self.change_settings(|session| session.set_settings(settings), "these settings cannot be used here");
     }
 
     fn step(&mut self, back: bool) {
-        let Some(session) = &mut self.session else { return };
+        self.change_settings(|session| session.step(back), "these settings cannot be used here");
+    }
+
+    fn toggle_compare(&mut self) {
+        let compare = |session: &mut Session| session.set_compare(!session.view.compare);
+        self.change_settings(compare, "the second side cannot be drawn");
+    }
+
+    /// Shows in the world that is open what a link says.
+    fn show_link(&mut self, link: &Link) {
+        let left_out = self
+            .change_settings(|session| session.show(link), "the settings of the link cannot be used here");
+        self.messages.say_all(left_out.unwrap_or_default());
+    }
+
+    /// Changes settings, or says in `failed` and the reason why not.
+    fn change_settings<T>(
+        &mut self,
+        change: impl FnOnce(&mut Session) -> Result<T, RenderError>,
+        failed: &str,
+    ) -> Option<T> {
         self.panels.refused = None;
-        if let Err(why) = session.step(back) {
-            self.messages.say(format!("these settings cannot be used here: {why}"));
-        }
+        let changed = change(self.session.as_mut()?);
+        changed.map_err(|why| self.messages.say(format!("{failed}: {why}"))).ok()
     }
 
     fn save_bookmark(&mut self, name: String) {
         let Some(Session { world, view, .. }) = &self.session else { return };
         let world_name = world.source.name().to_owned();
         let camera = Link::of(world, view).0.of_camera().to_string();
-        self.bookmarks.save(Bookmark { name, world: world_name, camera });
-        self.keep_bookmarks();
+        let bookmark = Bookmark { name, world: world_name, camera };
+        self.change_bookmarks(|all| all.save(bookmark.clone()));
     }
 
-    fn keep_bookmarks(&mut self) {
-        if let Some(why) = self.start.keeps.then(|| self.bookmarks.write().err()).flatten() {
+    fn change_bookmarks(&mut self, change: impl Fn(&mut Bookmarks)) {
+        change(&mut self.bookmarks);
+        if let Some(why) = self.start.keeps.then(|| self.bookmarks.keep(change).err()).flatten() {
             self.messages.say(why);
         }
     }
@@ -112,15 +126,7 @@ impl Viewer {
         let Some(Session { world, view, .. }) = &mut self.session else { return };
         let (link, mut messages) = Link::parse(&bookmark.camera);
         messages.extend(link.go(view, &world.scene));
-        messages.into_iter().for_each(|message| self.messages.say(message));
-    }
-
-    fn toggle_compare(&mut self) {
-        let Some(session) = &mut self.session else { return };
-        self.panels.refused = None;
-        if let Err(why) = session.set_compare(!session.view.compare) {
-            self.messages.say(format!("there is no room for a second picture: {why}"));
-        }
+        self.messages.say_all(messages);
     }
 
     fn learn(&mut self, context: &egui::Context, number: usize) {
@@ -132,21 +138,11 @@ impl Viewer {
     /// Shows what a link says: where it names another world, when that is loaded.
     pub fn follow(&mut self, context: &egui::Context, text: &str) {
         let (link, messages) = Link::parse(text);
-        messages.into_iter().for_each(|message| self.messages.say(message));
+        self.messages.say_all(messages);
         let is_open = |source: &Source| self.world().is_some_and(|world| world.source == *source);
         match link.source().filter(|source| !is_open(source)) {
             Some(source) => self.load_link(context, source, Some(link)),
             None => self.show_link(&link),
-        }
-    }
-
-    /// Shows in the world that is open what a link says.
-    fn show_link(&mut self, link: &Link) {
-        let Some(session) = &mut self.session else { return };
-        self.panels.refused = None;
-        match session.show(link) {
-            Ok(left_out) => left_out.into_iter().for_each(|message| self.messages.say(message)),
-            Err(why) => self.messages.say(format!("the settings of the link cannot be used here: {why}")),
         }
     }
 
@@ -166,7 +162,7 @@ impl Viewer {
         let Some(Session { world, view, .. }) = &self.session else { return };
         let (link, message) = Link::of(world, view);
         context.copy_text(format!("{}{link}", page_address()));
-        message.into_iter().for_each(|message| self.messages.say(message));
+        self.messages.say_all(message);
     }
 
     fn copy(&mut self, context: &egui::Context, text: impl FnOnce(&Settings) -> Result<String, String>) {
@@ -178,10 +174,11 @@ impl Viewer {
     }
 
     fn save_picture(&mut self, SavedPicture { name, size }: SavedPicture) {
-        match self.session.as_mut().map(|session| session.request_picture(size)) {
-            Some(Ok(coming)) => self.tasks.saving = coming.map(|coming| (name, coming)),
-            Some(Err(why)) => self.messages.say(format!("the picture was not saved: {why}")),
-            None => {}
+        let Some(session) = &mut self.session else { return };
+        let checked = size.map_or(Ok(()), export::check_size);
+        match checked.and_then(|()| session.request_picture(size).map_err(|why| why.to_string())) {
+            Ok(coming) => self.tasks.saving = coming.map(|coming| (name, coming)),
+            Err(why) => self.messages.say(format!("the picture was not saved: {why}")),
         }
     }
 

@@ -31,9 +31,21 @@ impl Viewer {
         context.request_repaint_after(crate::reload::PERIOD);
         match reload.poll(std::time::Instant::now()) {
             None => {}
-            Some(Ok(settings)) => self.set_settings(settings),
+            Some(Ok(settings)) => self.set_settings_of_file(settings),
             Some(Err(why)) => self.messages.say(format!("{why}; the settings stay as they were")),
         }
+    }
+
+    /// Gives the side that is edited the settings of the file that has changed, as a step of its own.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn set_settings_of_file(&mut self, settings: umbrage::Settings) {
+        let Some(session) = &mut self.session else { return };
+        session.history.close_step();
+        if session.view.compare {
+            let side = ["left", "right"][session.view.edited];
+            self.messages.say(format!("the settings file has changed, and the {side} side has its settings"));
+        }
+        self.set_settings(settings);
     }
 
     /// Handles what came since the last frame.
@@ -64,7 +76,7 @@ impl Viewer {
             Event::Loaded(source, imported) => {
                 let Imported { scene, warnings } = *imported;
                 self.open_world(source, Arc::new(scene));
-                warnings.into_iter().for_each(|warning| self.messages.say(warning));
+                self.messages.say_all(warnings);
             }
             Event::Opened(Source::Bytes { name, bytes }) => self.open(context, &name, bytes),
             Event::Opened(source @ (Source::Named(_) | Source::Address(_))) => self.load(context, source),

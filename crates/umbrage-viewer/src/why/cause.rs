@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use umbrage::Fit;
 use umbrage_judge::{Pixel, Verdict};
 
 use super::around::Around;
@@ -89,10 +88,14 @@ impl Question<'_> {
     fn cause_of_wrong(&self, verdict: Verdict, read: Option<&Read<'_>>, map: Option<&MapSays>) -> Cause {
         let depth = self.inspected.receiver.depth;
         let (Some(read), Some(map)) = (read, map) else {
-            let end = self.plan.splits().last().copied().unwrap_or(0.0);
-            return if depth > end { Cause::BeyondDistance { depth, end } } else { Cause::OutsideMaps };
+            let views = self.plan.views().iter().filter(|view| view.light == self.light);
+            let end = views.map(|view| f64::from(view.depths.end)).reduce(f64::max);
+            return match end.filter(|end| depth > *end) {
+                Some(end) => Cause::BeyondDistance { depth, end },
+                None => Cause::OutsideMaps,
+            };
         };
-        if self.settings.fit == Fit::Sample {
+        if read.view.samples.is_some() {
             return Cause::ChosenOnDevice;
         }
         let Some(stored) = map.stored else { return Cause::OutsideMaps };
@@ -136,7 +139,7 @@ impl Question<'_> {
     }
 }
 
-/// What is narrower than a texel.
+/// Returns the cause where what is at the pixel is narrower than a texel.
 fn narrow(around: Around, map: &MapSays) -> Option<Cause> {
     let texels = around.width.filter(|texels| *texels <= 1.0)?;
     Some(Cause::Thin { texels, texel_metres: map.texel_metres.max_element() })

@@ -97,7 +97,7 @@ fn a_lamps_faces_are_named_and_its_edges_are_found() {
     let lamp = Light::point("lamp", Vec3::new(0.2, 8.0, 0.1), 40.0, 100.0);
     let answers = answers(&plate_over_ground(60.0, 4.0), &lamp, &coarse(), &from_above(1.8, 1.8, 2.0));
     check(&answers, 20, |why| matches!(why.cause, Cause::NearEdge { .. }));
-    assert_eq!(answers[0].map.as_ref().expect("a map").view, "face −Y of the lamp's cube");
+    assert_eq!(answers[0].map.as_ref().expect("a map").view, "face −Y of the point light's cube");
     // Along the face's axis the plate is 4 m above the ground.
     let shadowed = answers.iter().filter(|why| why.shown == 0.0 && why.verdict == Verdict::Right);
     let off: Vec<f32> = shadowed
