@@ -33,7 +33,9 @@ pub fn to_light(light: &Light, place: DVec3) -> (DVec3, f64) {
         LightKind::Directional => (-light.direction().as_dvec3().normalize_or(DVec3::Y), f64::INFINITY),
         LightKind::Spot { .. } | LightKind::Point { .. } => {
             let way = light.position().as_dvec3() - place;
-            (way.normalize_or(DVec3::Y), way.length() - f64::from(light.near))
+            let toward = way.normalize_or(DVec3::Y);
+            // The near distance of a point light bounds a cube; spots have none here.
+            (toward, way.length() - f64::from(light.near) / toward.abs().max_element())
         }
     }
 }
