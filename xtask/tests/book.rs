@@ -160,7 +160,8 @@ fn commands_of(text: &str) -> Vec<&str> {
 /// Keys of settings that a command names, in `--set` and in a link.
 fn settings_of(command: &str) -> Vec<&str> {
     let set = command.split("--set ").skip(1);
-    let linked = command.split("set=").skip(1).filter(|_| command.contains("--link"));
+    let parts = command.split(['?', '&', '\'']).map(|part| part.trim_start_matches("right."));
+    let linked = parts.filter_map(|part| part.strip_prefix("set="));
     set.chain(linked).filter_map(|rest| rest.split_once('=')).map(|(key, _)| key).collect()
 }
 
