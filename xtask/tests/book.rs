@@ -3,30 +3,19 @@
 //!
 //! Words are read from the source of `umbrage-cli`, which this crate does not see, and settings from the page that is generated.
 
+mod markdown;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use markdown::{files, links, root};
+
 fn docs() -> PathBuf {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs")).canonicalize().expect("the documents")
+    root().join("docs").canonicalize().expect("the documents")
 }
 
 fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
-}
-
-/// Files below a folder, as far down as they lie, whose names end so.
-fn files(folder: &Path, end: &str) -> Vec<PathBuf> {
-    let entries = folder.read_dir().expect("a folder").map(|entry| entry.expect("an entry").path());
-    entries
-        .flat_map(|path| if path.is_dir() { files(&path, end) } else { vec![path] })
-        .filter(|path| path.to_string_lossy().ends_with(end))
-        .collect()
-}
-
-/// Targets of links and pictures, without those into the web.
-fn links(text: &str) -> impl Iterator<Item = &str> {
-    let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target);
-    targets.filter(|target| !target.contains("://"))
 }
 
 /// The pages that `docs/SUMMARY.md` lists, in its order.
