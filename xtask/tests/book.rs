@@ -159,7 +159,9 @@ fn commands_of_the_book_and_the_readme_have_the_words_of_the_command_line() {
     let options = Source::read().commands();
     assert!(options["measure"].contains("--set") && options["render"].contains("-o"), "{options:?}");
     let settings = read(&docs().join("settings.md"));
-    let pages = files(&docs().join("book"), ".md").into_iter().chain([docs().join("../README.md")]);
+    let pages = files(&docs().join("book"), ".md")
+        .into_iter()
+        .chain(["README.md", "../README.md"].map(|page| docs().join(page)));
     let mut commands = 0;
     for page in pages {
         for command in commands_of(&read(&page)) {
