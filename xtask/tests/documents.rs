@@ -1,28 +1,16 @@
 //! What documents point at is there: files that they name, and pages that they link to.
 
-use std::path::{Path, PathBuf};
+mod markdown;
+
+use std::path::PathBuf;
+
+use markdown::{entries, files, links, root};
 
 /// The documents: Markdown in the root, in `docs/`, in `examples/` and in `integrations/`.
 fn documents() -> Vec<PathBuf> {
-    let mut folders = vec![root().join("docs"), root().join("examples"), root().join("integrations")];
-    let mut found: Vec<PathBuf> = markdown_in(root()).collect();
-    while let Some(folder) = folders.pop() {
-        found.extend(markdown_in(&folder));
-        folders.extend(entries(&folder).filter(|path| path.is_dir()));
-    }
-    found
-}
-
-fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-}
-
-fn entries(folder: &Path) -> impl Iterator<Item = PathBuf> {
-    folder.read_dir().expect("a folder").map(|entry| entry.expect("an entry").path())
-}
-
-fn markdown_in(folder: &Path) -> impl Iterator<Item = PathBuf> {
-    entries(folder).filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+    let in_root = entries(root()).filter(|path| path.extension().is_some_and(|extension| extension == "md"));
+    let below = ["docs", "examples", "integrations"].map(|folder| files(&root().join(folder), ".md"));
+    in_root.chain(below.concat()).collect()
 }
 
 /// Paths below `crates/`, `docs/` and so on that stand between backticks, but for files that a recipe says to make:
@@ -44,12 +32,6 @@ fn spread(path: &str) -> Vec<String> {
     names.split(',').map(|name| format!("{before}{}{after}", name.trim())).collect()
 }
 
-/// Targets of links and pictures, without those into the web and into the page itself.
-fn links(text: &str) -> impl Iterator<Item = &str> {
-    let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target);
-    targets.filter(|target| !target.contains("://") && !target.starts_with('#'))
-}
-
 #[test]
 fn every_file_and_page_that_a_document_names_is_there() {
     let mut missing = Vec::new();
@@ -60,7 +42,7 @@ fn every_file_and_page_that_a_document_names_is_there() {
         let is_of_its_time = folder.ends_with("decisions");
         let named = if is_of_its_time { Vec::new() } else { named_paths(&text) };
         let named = named.into_iter().map(|path| (root().join(&path), path));
-        let linked = links(&text).map(|link| {
+        let linked = links(&text).filter(|link| !link.starts_with('#')).map(|link| {
             let path = link.split('#').next().unwrap_or(link);
             (folder.join(path), link.to_owned())
         });

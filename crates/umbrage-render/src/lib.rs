@@ -91,3 +91,8 @@ pub use umbrage;
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+/// And so are the recipes of the book.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/recipes.md")]
+struct Recipes;
