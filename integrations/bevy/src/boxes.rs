@@ -38,13 +38,15 @@ impl Default for Boxes {
 type Shape<'w> = (Entity, &'w Aabb, &'w GlobalTransform, &'w InheritedVisibility);
 /// What makes a box anew.
 type Moved = Or<(Changed<Aabb>, Changed<GlobalTransform>, Changed<InheritedVisibility>)>;
+/// A mesh that has no box, or may lie outside of it.
+type Boxless = (With<Mesh3d>, Or<(Without<Aabb>, With<NoFrustumCulling>)>);
 
 /// Follows what came, moved and went.
 pub(crate) fn follow(
     mut boxes: ResMut<Boxes>,
     moved: Query<Shape<'_>, (With<Mesh3d>, Moved)>,
     all: Query<Shape<'_>, With<Mesh3d>>,
-    boxless: Query<&InheritedVisibility, (With<Mesh3d>, Or<(Without<Aabb>, With<NoFrustumCulling>)>)>,
+    boxless: Query<&InheritedVisibility, Boxless>,
     mut went: RemovedComponents<Mesh3d>,
     mut lost: RemovedComponents<Aabb>,
 ) {

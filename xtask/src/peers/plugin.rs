@@ -31,8 +31,8 @@ pub struct Args {
     /// The camera of each world, by number or name
     #[arg(long, default_value = "0")]
     camera: String,
-    /// Rounds, in which the ways take turns
-    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
+    /// Rounds, in which the ways take turns; 0 times nothing and runs Bevy's systems one after another, as a busy machine wants it
+    #[arg(long, default_value_t = 5)]
     rounds: u32,
     /// Frames of each kind a round; Bevy pipelines frames, so that fewer than 14 say little
     #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(1..))]
@@ -111,10 +111,11 @@ fn measure(args: &Args) -> anyhow::Result<Value> {
 fn row(program: &Program, world: &World, view: &View, resolution: u32, rounds: u32) -> anyhow::Result<Value> {
     let mut found: Map<String, Value> = Map::new();
     let pictures = |way: &str| folder().join("pictures").join(format!("{}-{resolution}-{way}", world.name));
-    for round in 0..rounds {
+    let timed: &[&str] = if rounds == 0 { &["--batches=0", "--one-thread"] } else { &[] };
+    for round in 0..rounds.max(1) {
         for (way, words) in WAYS {
             let drawn = (round == 0).then(|| pictures(way));
-            match program.bevy(view, resolution, words, drawn.as_deref())? {
+            match program.bevy(view, resolution, &[words, timed].concat(), drawn.as_deref())? {
                 Ok(measured) => add_round(found.entry(way).or_insert_with(|| json!({})), measured),
                 Err(why) => bail!("{}, {way}: {why}", world.name),
             }

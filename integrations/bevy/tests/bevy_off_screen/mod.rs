@@ -1,14 +1,19 @@
 //! Bevy without a window, which draws the boxes into a picture that is read back.
+//!
+//! Bevy reads its shaders in the background, and draws nothing with those that are not there: a picture waits for all of them.
+
+use std::time::Duration;
 
 use bevy::app::{PluginsState, SubApp};
 use bevy::camera::RenderTarget;
 use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
+use bevy::ecs::schedule::SingleThreadedExecutor;
 use bevy::light::{
     CascadeShadowConfig, CascadeShadowConfigBuilder, DirectionalLightShadowMap, GlobalAmbientLight,
 };
 use bevy::prelude::*;
 use bevy::render::pipelined_rendering::PipelinedRenderingPlugin;
-use bevy::render::render_resource::{TextureFormat, TextureUsages};
+use bevy::render::render_resource::{PipelineCache, TextureFormat, TextureUsages};
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
@@ -16,10 +21,11 @@ use bevy_umbrage::UmbragePlugin;
 
 use crate::boxes::{FAR, SIZE, SUN, boxes, camera, fov};
 
-/// Frames after a change until it is in the picture.
+/// Frames after a change until it is in the picture, once no pipeline waits for a shader.
 const SETTLE: u32 = 8;
-/// A picture is waited for so many frames at most.
-const MOST_FRAMES: u32 = 400;
+/// Shaders, and a picture, are waited for so many frames at most, each followed by a pause of [`TURN`].
+const MOST_FRAMES: u32 = 10_000;
+const TURN: Duration = Duration::from_millis(5);
 
 /// Bevy, with the boxes, a camera and a sun.
 pub struct Drawn {
@@ -117,14 +123,33 @@ impl Drawn {
             if let Some(Captured(image)) = self.app.world_mut().remove_resource() {
                 return greens(&image);
             }
+            std::thread::sleep(TURN);
         }
         panic!("no picture came back in {MOST_FRAMES} frames");
     }
 
+    /// Draws until what was changed is in the picture.
     fn settle(&mut self) {
-        for _ in 0..SETTLE {
+        let mut ready = 0;
+        for _ in 0..MOST_FRAMES {
             self.app.update();
+            if self.is_waiting() {
+                ready = 0;
+                std::thread::sleep(TURN);
+            } else {
+                ready += 1;
+            }
+            if ready == SETTLE {
+                return;
+            }
         }
+        panic!("pipelines still wait for shaders after {MOST_FRAMES} frames");
+    }
+
+    /// Whether a pipeline waits for a shader.
+    fn is_waiting(&self) -> bool {
+        let cache = self.app.sub_app(RenderApp).world().resource::<PipelineCache>();
+        cache.waiting_pipelines().next().is_some()
     }
 }
 
