@@ -57,7 +57,8 @@ proptest! {
         let world = oracle::World::of(&scene);
         for (number, light) in scene.lights.iter().enumerate() {
             let (mut unsure, mut dark, mut lit, mut partial) = (0, 0, 0, 0);
-            for (point, answer) in points[number].iter().zip(&answers[number]) {
+            let asked = points[number].iter().zip(&answers[number]);
+            for (point, answer) in asked.filter(|(point, _)| oracle::shines_on(light, point.position.as_dvec3())) {
                 let Some(truth) = world.share(light, point.position.as_dvec3()) else {
                     unsure += 1;
                     continue;

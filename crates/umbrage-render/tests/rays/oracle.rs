@@ -40,6 +40,13 @@ pub fn to_light(light: &Light, place: DVec3) -> (DVec3, f64) {
     }
 }
 
+/// Whether a light shines on a place: where it does not, nobody asks for its shadows.
+pub fn shines_on(light: &Light, place: DVec3) -> bool {
+    let LightKind::Spot { outer, .. } = light.kind else { return true };
+    let (toward, _) = to_light(light, place);
+    -toward.dot(light.direction().as_dvec3().normalize_or(DVec3::Y)) > f64::from(outer).cos()
+}
+
 impl<'a> World<'a> {
     pub fn of(scene: &'a Scene) -> Self {
         let mut triangles = Vec::new();
