@@ -116,7 +116,7 @@ fn ran(command: &mut Command) -> Output {
     for _ in 0..1000 {
         match command.output() {
             Err(error) if error.kind() == io::ErrorKind::ExecutableFileBusy => {
-                sleep(Duration::from_millis(10))
+                sleep(Duration::from_millis(10));
             }
             output => return output.expect("it runs"),
         }
