@@ -72,6 +72,8 @@ fn lines(PlanLines { slices, maps, casters }: PlanLines) -> String {
     names.into_iter().filter_map(|(on, name)| on.then_some(name)).collect::<Vec<_>>().join(",")
 }
 
-fn vec3(Vec3 { x, y, z }: Vec3) -> String {
+/// A place as text; −0 is 0.
+fn vec3(place: Vec3) -> String {
+    let Vec3 { x, y, z } = place + Vec3::ZERO;
     format!("{x},{y},{z}")
 }

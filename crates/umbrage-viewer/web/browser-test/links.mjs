@@ -95,7 +95,7 @@ async function click(name) {
 }
 
 async function link() {
-  const query = "world=primitives&eye=6,5,14&target=0,1,0&set=splits=2&set=filter.kind=pcf&right.preset=default&show=splits";
+  const query = "world=primitives&eye=6,5,14&target=0,1,0&set=filter.kind=pcf&set=splits=2&right.preset=default&show=splits";
   const now = await open(query, "primitives");
   check(now.messages.length === 0, "a link opens without a message");
   check(/splits = 2/.test(now.settings) && /kind = "pcf"/.test(now.settings), "with its settings");
