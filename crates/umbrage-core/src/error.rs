@@ -143,7 +143,7 @@ pub enum SettingsError {
     },
     /// The manual split distances do not rise, or there are not `splits − 1` of them.
     Manual {
-        /// How many inner distances there should be.
+        /// The number of inner distances that there should be: `splits − 1`.
         wanted: u32,
         /// The distances that were given, metres.
         got: Vec<f32>,
@@ -184,16 +184,16 @@ pub enum PlanError {
     Bounds,
     /// The lights need more views, or larger tiles, than there is room for.
     Room {
-        /// How many views they need.
+        /// The number of views that they need.
         got: u32,
-        /// How many views the maps were made for.
+        /// The number of views that the maps were made for.
         max: u32,
     },
     /// There are more lights than one plan can hold.
     Lights {
-        /// How many lights were given.
+        /// The number of lights that were given.
         got: usize,
-        /// How many lights a plan holds.
+        /// The number of lights that a plan holds at the most.
         max: usize,
     },
 }

@@ -1,4 +1,4 @@
-//! How a map is read: one variant and one file a filter, each with its own numbers.
+//! A filter says how a map is read: one variant and one file a filter, each with its own numbers.
 //!
 //! Three ways. *Comparisons* ask of texels around the receiver whether they leave it lit, and weigh the answers
 //! (percentage-closer filtering, Reeves et al. 1987): a grid of them, points on a disc, or all that a pixel covers.
@@ -89,7 +89,7 @@ pub use stored::{MomentTexel, Stored, TexelPrecision};
 pub use summed::mssm::SoftMoments;
 pub use summed::savsm::SummedVariance;
 
-/// How a map is read; each variant has a file of Rust, and one of shader code that is called by its kind.
+/// A filter is a way to read a map. Each variant has a file of Rust, and one of shader code that is called by its kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields))]
@@ -230,7 +230,8 @@ impl Filter {
         self.light_size().is_some() || !self.compares_depths()
     }
 
-    /// How large the filter takes a light to be that has no size of its own; `None` where it does not ask.
+    /// Returns the size that the filter takes a light to have that has none of its own, degrees for a sun and metres for others;
+    /// `None` where the filter does not ask.
     pub fn light_size(&self) -> Option<LightSize> {
         self.ask(|technique| technique.light_size())
     }
