@@ -112,12 +112,20 @@ pub const FAMILIES: Document = Document {
 pub const EXACT: Document = Document {
     path: "docs/exact.md",
     head: include_str!("exact/head.md"),
-    chapters: &[Chapter {
-        name: "exact",
-        found: include_str!("exact/found.md"),
-        enlarged: &["mining-terrain", "bias-court"],
-        plots: &[],
-    }],
+    chapters: &[
+        Chapter {
+            name: "exact",
+            found: include_str!("exact/found.md"),
+            enlarged: &["mining-terrain", "bias-court"],
+            plots: &[],
+        },
+        Chapter {
+            name: "exact-shimmer",
+            found: include_str!("exact/shimmer.md"),
+            enlarged: &[],
+            plots: &[],
+        },
+    ],
 };
 
 impl Document {

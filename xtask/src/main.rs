@@ -6,7 +6,7 @@
 //! filter in `docs/filters.md`, `cargo xtask field` measures scenes that are far or large or small in `docs/field.md`,
 //! `cargo xtask peers` sets Umbrage beside other renderers in `docs/peers.md`, `cargo xtask bevy` Bevy with Umbrage's plug-in beside
 //! Bevy in `docs/bevy.md`, `cargo xtask pictures` draws the pictures of the documents, `cargo xtask documents` makes all of these
-//! again, `cargo xtask web` builds the web page.
+//! again, `cargo xtask web` builds the web page, `cargo xtask npm` the package for JavaScript.
 //!
 //! This crate does not: see any of the others. It runs the command `umbrage`, and joins and copies what that leaves.
 
@@ -16,10 +16,14 @@ mod command;
 mod error;
 mod field;
 mod filters;
+#[cfg(feature = "web")]
+mod npm;
 mod peers;
 mod pictures;
 mod reports;
 mod results;
+#[cfg(feature = "web")]
+mod wasm;
 #[cfg(feature = "web")]
 mod web;
 
@@ -93,6 +97,13 @@ enum Chore {
         #[arg(long, value_name = "DIR", default_value = "dist")]
         out: std::path::PathBuf,
     },
+    #[cfg(feature = "web")]
+    /// Builds the package for JavaScript, and prints how large it is
+    Npm {
+        /// The folder to write, seen from the repository's root
+        #[arg(long, value_name = "DIR", default_value = "target/npm/umbrage")]
+        out: std::path::PathBuf,
+    },
 }
 
 fn main() -> anyhow::Result<()> {
@@ -119,6 +130,8 @@ fn run(chore: Chore) -> anyhow::Result<()> {
         Chore::Pictures => pictures::draw(),
         #[cfg(feature = "web")]
         Chore::Web { out } => web::build(&out),
+        #[cfg(feature = "web")]
+        Chore::Npm { out } => npm::build(&out),
     }
 }
 

@@ -8,6 +8,7 @@ use cargo_metadata::{DependencyKind, MetadataCommand};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("umbrage-core", &["arrayvec", "glam", "serde"]),
     ("umbrage-wgsl", &["umbrage-core", "encase", "thiserror", "glam"]),
+    ("umbrage-interchange", &["umbrage-core", "umbrage-wgsl", "clap", "glam", "serde", "thiserror", "toml"]),
     ("umbrage-occluders", &["bytemuck", "glam", "obvhs", "rayon"]),
     (
         "umbrage",
@@ -53,6 +54,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "umbrage-lab",
         &[
             "umbrage",
+            "umbrage-interchange",
             "umbrage-scene",
             "umbrage-render",
             "umbrage-judge",
@@ -121,6 +123,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "umbrage-cli",
         &[
             "umbrage",
+            "umbrage-interchange",
             "umbrage-scene",
             "umbrage-render",
             "umbrage-judge",
@@ -147,6 +150,20 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "memchr",
             "rustix",
             "smallvec",
+        ],
+    ),
+    (
+        "umbrage-npm",
+        &[
+            "umbrage-core",
+            "umbrage-interchange",
+            "umbrage-wgsl",
+            "glam",
+            "js-sys",
+            "serde",
+            "serde-wasm-bindgen",
+            "toml",
+            "wasm-bindgen",
         ],
     ),
     ("xtask", &["anyhow", "clap", "flate2", "serde_json", "wasm-bindgen-cli-support"]),

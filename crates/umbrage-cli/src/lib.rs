@@ -10,7 +10,6 @@ pub mod library;
 
 mod advice;
 mod args;
-mod binding_json;
 mod cameras_json;
 mod commands;
 mod contact_sheet;
@@ -21,7 +20,6 @@ mod pages;
 mod plan_json;
 mod progress;
 mod settings;
-mod stages;
 mod world;
 
 use std::process::ExitCode;

@@ -14,7 +14,8 @@ use crate::commands::{measure, plan, report, wgsl, worlds};
 use crate::failure::{Failure, Outcome};
 use crate::pages;
 
-/// Returns what `umbrage plan WORDS --json -` prints. The world is `scene` where that is given, and is called as the words say.
+/// Returns what `umbrage plan WORDS --json -` prints. The world is `scene` where that is given; the words still name a world, and what is
+/// printed calls it by the scene's own name. A `--json FILE` among the words writes nothing.
 ///
 /// # Errors
 /// Where the command fails, as it fails.
@@ -24,7 +25,8 @@ pub fn plan(words: &[String], scene: Option<Arc<Scene>>) -> Outcome<String> {
     plan::json(&args)
 }
 
-/// Returns what `umbrage measure WORDS --json -` prints. The world is `scene` where that is given.
+/// Returns what `umbrage measure WORDS --json -` prints. The world is `scene` where that is given, as in [`plan`]. Options that name a file
+/// to write JSON into write nothing.
 ///
 /// # Errors
 /// Where the command fails, as it fails.

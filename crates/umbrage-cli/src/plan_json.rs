@@ -1,18 +1,13 @@
-//! `umbrage plan --json`: all that a foreign renderer needs to draw a plan's views and to read them.
-//!
-//! Names of formats, faces and samplers are WebGPU's. Matrices are four rows of four; a point is a column on their right.
+//! `umbrage plan --json`: a plan of a world, with what it was made from, the bindings of all texts and the frame's bytes.
 
 use std::collections::BTreeMap;
 
 use base64::Engine as _;
-use clap::ValueEnum as _;
 use glam::DVec3;
 use serde::Serialize;
 use umbrage::shaders::{FrameBytes, Surroundings};
-use umbrage::{CasterFaces, DepthFormat, Filter, LightKind, MapLayout, Rays, Settings, ShadowPlan};
-
-use crate::binding_json::BindingJson;
-use crate::stages::{Stage, Stages};
+use umbrage::{Settings, ShadowPlan};
+use umbrage_interchange::{BindingData, PlanData, Stage, Stages};
 
 /// The whole of it.
 #[derive(Serialize)]
@@ -22,22 +17,12 @@ pub struct PlanJson<'a> {
     /// The scene's own origin lies here in the coordinates of the world's file, metres; all points are measured from there.
     origin: [f64; 3],
     settings: &'a Settings,
-    splits: &'a [f64],
-    picture: Picture,
-    camera: Camera,
-    lights: Vec<Light>,
-    maps: Maps,
-    casters: Casters,
-    views: Vec<View>,
+    #[serde(flatten)]
+    plan: PlanData,
     /// What the texts of `umbrage wgsl` bind, stage by stage.
-    bindings: BTreeMap<Stage, Vec<BindingJson>>,
+    bindings: BTreeMap<Stage, Vec<BindingData>>,
     /// The bytes of `umbrage_frame`, in base64.
     frame: String,
-    /// A sun overhead needs so many texels for each pixel, 1 or more: with these splits, and at the least.
-    storage_factor: f64,
-    min_storage_factor: f64,
-    texels: u64,
-    bytes: u64,
 }
 
 /// What the plan is of, beside itself.
@@ -45,219 +30,29 @@ pub struct About<'a> {
     pub world: &'a str,
     pub triangles: usize,
     pub origin: [f64; 3],
-    pub storage_factor: f64,
-    pub min_storage_factor: f64,
     pub picture: [u32; 2],
-}
-
-#[derive(Serialize)]
-struct Picture {
-    width: u32,
-    height: u32,
-}
-
-/// Its depth is reversed: 1 at `near`, 0 at `far`.
-#[derive(Serialize)]
-struct Camera {
-    eye: [f32; 3],
-    forward: [f32; 3],
-    near: f32,
-    far: f32,
-    clip_from_world: [[f32; 4]; 4],
-}
-
-#[derive(Serialize)]
-struct Light {
-    #[serde(flatten)]
-    kind: Kind,
-    /// The place of its first view in `views`, and how many follow one another.
-    first_view: usize,
-    view_count: usize,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "lowercase", tag = "kind")]
-enum Kind {
-    /// `direction` is the way the light travels.
-    Sun {
-        direction: [f32; 3],
-    },
-    /// `half_angle` from the axis to the rim, radians; `range` in metres.
-    Spot {
-        position: [f32; 3],
-        direction: [f32; 3],
-        half_angle: f32,
-        range: f32,
-    },
-    Point {
-        position: [f32; 3],
-        range: f32,
-    },
-}
-
-/// The texture that holds the views' tiles, and how it is compared with.
-#[derive(Serialize)]
-struct Maps {
-    width: u32,
-    height: u32,
-    layers: u32,
-    format: &'static str,
-    compare_sampler: Sampler,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Sampler {
-    compare: &'static str,
-    mag_filter: &'static str,
-    min_filter: &'static str,
-}
-
-/// What the pipelines that draw casters are set to. Depth is reversed: a tile is cleared to 0, and nearer depths, which are
-/// greater, replace farther ones.
-#[derive(Serialize)]
-struct Casters {
-    cull_mode: &'static str,
-    depth_compare: &'static str,
-    depth_clear: f32,
-    depth_bias: i32,
-    depth_bias_slope_scale: f32,
-    unclipped_depth: bool,
-}
-
-#[derive(Serialize)]
-struct View {
-    light: usize,
-    split: usize,
-    tile: Tile,
-    clip_from_world: [[f32; 4]; 4],
-    texel_metres: f32,
-    depths: [f32; 2],
-    near_metres: f32,
-    depth_metres: f32,
-    /// Whether depth is stored as 1 / d, as it is where rays spread from a point.
-    spreads: bool,
-    /// What a warp scales stored depth by, at x and y of NDC, is dot(this, (x, y, 1)).
-    depth_scale: [f32; 3],
-    /// Planes (a, b, c, d) around what may cast into this view: inside, a x + b y + c z + d ≥ 0. `null` where nothing may.
-    casters: Option<Vec<[f32; 4]>>,
-}
-
-#[derive(Serialize)]
-struct Tile {
-    layer: u32,
-    x: u32,
-    y: u32,
-    size: u32,
 }
 
 impl<'a> PlanJson<'a> {
     pub fn new(about: &About<'a>, plan: &'a ShadowPlan, stages: &Stages<'_>) -> Self {
-        let About { world, triangles, origin, storage_factor, min_storage_factor, picture } = *about;
+        let About { world, triangles, origin, picture } = *about;
         let (settings, layout) = (plan.settings(), plan.layout());
         let map_size = [layout.width, layout.height];
         let mut frame = FrameBytes::default();
         // Who reads this gives positions in world space.
         let surroundings = Surroundings { map_size, picture_size: picture, origin: DVec3::ZERO };
-        let bindings = Stage::value_variants().iter().filter_map(|stage| {
-            let bindings = stages.bindings(*stage)?;
-            Some((*stage, bindings.iter().map(BindingJson::from).collect()))
+        let bindings = Stage::ALL.into_iter().filter_map(|stage| {
+            let bindings = stages.bindings(stage)?;
+            Some((stage, bindings.iter().map(BindingData::from).collect()))
         });
         Self {
             world,
             triangles,
             origin,
             settings,
-            splits: plan.splits(),
-            picture: Picture { width: picture[0], height: picture[1] },
-            camera: camera(plan),
-            lights: (0..plan.lights().len()).map(|index| light(plan, index)).collect(),
-            maps: maps(layout, &settings.filter),
-            casters: casters(settings),
-            views: plan.views().iter().map(view).collect(),
+            plan: PlanData::new(plan, picture),
             bindings: bindings.collect(),
             frame: base64::prelude::BASE64_STANDARD.encode(frame.write(plan, settings, &surroundings)),
-            storage_factor,
-            min_storage_factor,
-            texels: layout.texels(),
-            bytes: layout.bytes(),
         }
-    }
-}
-
-fn rows(matrix: &glam::Mat4) -> [[f32; 4]; 4] {
-    [0, 1, 2, 3].map(|i| matrix.row(i).to_array())
-}
-
-fn camera(plan: &ShadowPlan) -> Camera {
-    let camera = plan.camera();
-    Camera {
-        eye: camera.eye().to_array(),
-        forward: camera.forward().to_array(),
-        near: camera.near(),
-        far: camera.far(),
-        clip_from_world: rows(&camera.clip_from_world()),
-    }
-}
-
-fn light(plan: &ShadowPlan, index: usize) -> Light {
-    let of_light = |view: &&umbrage::ShadowView| view.light == index;
-    Light {
-        kind: match plan.lights()[index].kind() {
-            LightKind::Directional { direction } => Kind::Sun { direction: direction.to_array() },
-            LightKind::Spot { position, direction, half_angle, range } => Kind::Spot {
-                position: position.to_array(),
-                direction: direction.to_array(),
-                half_angle,
-                range,
-            },
-            LightKind::Point { position, range } => Kind::Point { position: position.to_array(), range },
-        },
-        first_view: plan.views().iter().find(of_light).map_or(0, |view| view.index),
-        view_count: plan.views().iter().filter(of_light).count(),
-    }
-}
-
-fn maps(layout: MapLayout, filter: &Filter) -> Maps {
-    let MapLayout { width, height, layers, depth } = layout;
-    let format = match depth {
-        DepthFormat::F32 => "depth32float",
-        DepthFormat::U16 => "depth16unorm",
-    };
-    let mode = if matches!(filter, Filter::Hard {}) { "nearest" } else { "linear" };
-    let compare_sampler = Sampler { compare: "greater-equal", mag_filter: mode, min_filter: mode };
-    Maps { width, height, layers, format, compare_sampler }
-}
-
-fn casters(settings: &Settings) -> Casters {
-    Casters {
-        cull_mode: match settings.bias.casters {
-            CasterFaces::Both => "none",
-            CasterFaces::Front => "back",
-            CasterFaces::Back => "front",
-        },
-        depth_compare: "greater-equal",
-        depth_clear: 0.0,
-        depth_bias: -settings.bias.raster_constant,
-        depth_bias_slope_scale: -settings.bias.raster_slope,
-        unclipped_depth: settings.flattens_casters(),
-    }
-}
-
-fn view(view: &umbrage::ShadowView) -> View {
-    let umbrage::Tile { layer, x, y, size } = view.tile;
-    let plane = |plane: &umbrage::Plane| plane.normal.extend(plane.distance).to_array();
-    View {
-        light: view.light,
-        split: view.split,
-        tile: Tile { layer, x, y, size },
-        clip_from_world: rows(&view.clip_from_world.as_mat4()),
-        texel_metres: view.texel_metres,
-        depths: [view.depths.start, view.depths.end],
-        near_metres: view.near_metres,
-        depth_metres: view.depth_metres,
-        spreads: matches!(view.rays, Rays::FromApex { .. }),
-        depth_scale: view.depth_scale.to_array(),
-        casters: (!view.casters.is_empty()).then(|| view.casters.planes().iter().map(plane).collect()),
     }
 }

@@ -24,7 +24,7 @@ pub struct Bounds {
     objects: Vec<Aabb>,
     tree: Tree,
     /// The number of objects that nothing can be planned for.
-    endless: usize,
+    unbounded: usize,
 }
 
 impl Bounds {
@@ -36,8 +36,8 @@ impl Bounds {
     /// Makes a world of things with these boxes, for fits that depend on the scene. Boxes that hold nothing are allowed: they
     /// are room for things that come later.
     pub fn new(objects: Vec<Aabb>) -> Self {
-        let endless = objects.iter().filter(|aabb| aabb.is_endless()).count();
-        Self { world: None, tree: Tree::of(&objects), objects, endless }
+        let unbounded = objects.iter().filter(|aabb| aabb.is_unbounded()).count();
+        Self { world: None, tree: Tree::of(&objects), objects, unbounded }
     }
 
     /// Makes the same in a box that stays as it is: everything lies in it that casts or receives. Where there are no objects,
@@ -62,8 +62,8 @@ impl Bounds {
         for (number, aabb) in moved {
             let Some(object) = self.objects.get_mut(number) else { continue };
             if *object != aabb {
-                self.endless -= usize::from(object.is_endless());
-                self.endless += usize::from(aabb.is_endless());
+                self.unbounded -= usize::from(object.is_unbounded());
+                self.unbounded += usize::from(aabb.is_unbounded());
                 *object = aabb;
                 self.tree.note(number);
             }
@@ -87,7 +87,7 @@ impl Bounds {
 
     /// Whether all boxes have ends, or hold nothing at all: else nothing can be planned.
     pub(crate) fn can_be_planned(&self) -> bool {
-        self.endless == 0 && !self.world.is_some_and(Aabb::is_endless)
+        self.unbounded == 0 && !self.world.is_some_and(Aabb::is_unbounded)
     }
 
     /// Returns the distance from a point to the nearest box, metres; 0 within a box, and infinite where there is none.
@@ -195,7 +195,7 @@ impl Aabb {
     }
 
     /// Whether it is neither finite nor the box that holds nothing.
-    fn is_endless(self) -> bool {
+    fn is_unbounded(self) -> bool {
         !self.is_finite() && self != Self::EMPTY
     }
 

@@ -172,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_box_swept_up_to_a_sun_overhead_is_an_endless_column() {
+    fn a_box_swept_up_to_a_sun_overhead_is_an_unbounded_column() {
         let light = LightSpace::new(DVec3::NEG_Y, DVec3::Z);
         let body = ConvexBody::of_box(DVec3::ZERO, DVec3::ONE);
         let volume = ConvexVolume::swept_to_light(&body, &light, 0.0, 0.0);

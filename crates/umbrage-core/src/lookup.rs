@@ -48,7 +48,7 @@ pub fn view_of<'a>(
     Receiver::new(plan, settings, light, world_position, world_normal)?.view()
 }
 
-/// The view whose map serves a receiver, and the place in its tile with the depth to compare with there; `None` where no view
+/// Returns the view whose map serves a receiver, and the place in its tile with the depth to compare with there; `None` where no view
 /// does. `world_normal` is unit and geometric.
 pub fn place_of<'a>(
     plan: &'a ShadowPlan,

@@ -20,7 +20,7 @@ pub struct Eye {
     right: DVec3,
     up: DVec3,
     forward: DVec3,
-    /// Half the height of what is seen: at depth 1 for a pinhole, at every depth for parallel rays.
+    /// Half the height of what is seen: at depth 1 for a perspective camera, at every depth for parallel rays.
     half_height: f64,
     is_parallel: bool,
 }

@@ -15,7 +15,7 @@ pub mod figures;
 pub mod files;
 pub mod heat;
 pub mod page;
-pub mod settings;
+pub use umbrage_interchange::settings;
 pub mod tabulate;
 
 mod error;
@@ -24,7 +24,6 @@ mod flicker;
 mod foreign;
 mod judgement;
 mod laboratory;
-mod lines;
 mod measure;
 mod measurement;
 mod merge;

@@ -6,7 +6,7 @@
 /// The depth of a pixel as if the far plane were infinitely far: so nothing is ever behind it. Parallel rays
 /// have no such depth, and theirs is as it was.
 @fragment
-fn endless_depth(covering: Covering) -> @builtin(frag_depth) f32 {
+fn infinite_depth(covering: Covering) -> @builtin(frag_depth) f32 {
     let depth = seen_depth(covering.clip);
     if depth == 0.0 || shot.is_parallel == 1u {
         return depth;

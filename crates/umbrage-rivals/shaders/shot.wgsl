@@ -2,7 +2,7 @@
 // world axes, metres.
 
 struct Shot {
-    /// To the right edge of the picture: at depth 1 of a pinhole, at every depth of parallel rays.
+    /// To the right edge of the picture: at depth 1 of a perspective camera, at every depth of parallel rays.
     right: vec3f,
     /// 1 where the camera's rays are parallel.
     is_parallel: u32,
@@ -22,7 +22,7 @@ struct Shot {
     cos_outer: f32,
     /// The distance at which the light ends.
     range: f32,
-    /// The number of corners that a piece of a volume has: 3 under a sun before a pinhole, 6 otherwise.
+    /// The number of corners that a piece of a volume has: 3 under a sun before a perspective camera, 6 otherwise.
     corners: u32,
     /// The tangent of half the angle that a sun is seen under, or the radius of a lamp; 0 of a point.
     size: f32,

@@ -84,7 +84,7 @@ fn clip(vertex: u32) -> Clip {
     return clip;
 }
 
-/// A corner before a pinhole, whose depth is 0 at infinity.
+/// A corner before a perspective camera, whose depth is 0 at infinity.
 @vertex
 fn volume(@builtin(vertex_index) vertex: u32) -> @builtin(position) @invariant vec4f {
     let clip = clip(vertex);

@@ -56,7 +56,7 @@ impl Painter {
             wgpu::ColorTargetState { write_mask: wgpu::ColorWrites::empty(), ..count_format(gpu).into() };
         Self {
             shot: shot::buffer(gpu),
-            depth: over_all(gpu, &shader, "endless_depth", Some(depth), &[Some(uncounted)]),
+            depth: over_all(gpu, &shader, "infinite_depth", Some(depth), &[Some(uncounted)]),
             shadow: over_all(gpu, &shader, "shadowed", None, &[Some(VISIBILITY.into())]),
         }
     }

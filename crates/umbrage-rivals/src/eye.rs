@@ -9,7 +9,7 @@ use umbrage_render::umbrage::{Camera, Projection};
 pub(crate) struct Eye {
     /// Where it stands in the world.
     pub place: DVec3,
-    /// To the right edge of the picture: at depth 1 of a pinhole, at every depth of parallel rays.
+    /// To the right edge of the picture: at depth 1 of a perspective camera, at every depth of parallel rays.
     pub right: DVec3,
     /// To the upper edge, likewise.
     pub up: DVec3,
@@ -62,7 +62,7 @@ impl Eye {
         if self.is_parallel { (-self.forward).extend(0.0) } else { DVec4::W }
     }
 
-    /// Clip space of positions in world axes that are relative to the eye. Depth is reversed, and that of a pinhole is
+    /// Clip space of positions in world axes that are relative to the eye. Depth is reversed, and that of a perspective camera is
     /// near / depth, which is 0 at infinity: what is infinitely far is within it.
     pub fn clip_from_eye(&self) -> DMat4 {
         let Self { right, up, forward, depths: [near, far], is_parallel, place: _ } = *self;

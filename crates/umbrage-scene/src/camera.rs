@@ -21,7 +21,7 @@ pub struct Camera {
 /// A lens says how a camera projects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lens {
-    /// The rays meet in a pinhole.
+    /// All rays meet in the eye.
     Perspective {
         /// The whole vertical field of view, in radians.
         fov_y: f32,

@@ -199,7 +199,7 @@ mod tests {
             broken("odd", f32::NAN),
             broken("minus", -1.0),
             broken("huge", 1e30),
-            broken("endless", f32::INFINITY),
+            broken("unbounded", f32::INFINITY),
             broken("off", 0.0),
             without_range,
             nowhere,

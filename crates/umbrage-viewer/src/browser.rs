@@ -58,11 +58,33 @@ pub async fn fetch(address: &str) -> Result<Vec<u8>, String> {
     let length =
         response.headers().get("content-length").ok().flatten().and_then(|length| length.parse().ok());
     crate::load::check_size(address, length.unwrap_or(0))?;
+    match response.body() {
+        Some(body) => read(&body, address).await,
+        None => Ok(Vec::new()),
+    }
+}
+
+/// Reads a stream piece by piece, so that one without a length is given up as soon as it is too long.
+async fn read(body: &web_sys::ReadableStream, address: &str) -> Result<Vec<u8>, String> {
     let broken = |_| "the download was interrupted; load the page again";
-    let buffer = JsFuture::from(response.array_buffer().map_err(broken)?).await.map_err(broken)?;
-    let bytes = js_sys::Uint8Array::new(&buffer);
-    crate::load::check_size(address, u64::from(bytes.length()))?;
-    Ok(bytes.to_vec())
+    let reader: web_sys::ReadableStreamDefaultReader = body.get_reader().unchecked_into();
+    let mut bytes = Vec::new();
+    loop {
+        let piece = JsFuture::from(reader.read()).await.map_err(broken)?;
+        let of_piece = |key: &str| js_sys::Reflect::get(&piece, &key.into()).map_err(broken);
+        if of_piece("done")?.is_truthy() {
+            return Ok(bytes);
+        }
+        let piece = js_sys::Uint8Array::new(&of_piece("value")?);
+        let begin = bytes.len();
+        if let Err(too_long) = crate::load::check_size(address, begin as u64 + u64::from(piece.length())) {
+            // Whether the browser stops at once is its own affair: nothing more is read.
+            let _ = JsFuture::from(reader.cancel()).await;
+            return Err(too_long);
+        }
+        bytes.resize(begin + piece.length() as usize, 0);
+        piece.copy_to(&mut bytes[begin..]);
+    }
 }
 
 /// Returns the text that the browser keeps for the page under a name.

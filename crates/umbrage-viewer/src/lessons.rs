@@ -17,7 +17,7 @@ pub struct Lesson {
 pub const LESSONS: [Lesson; 8] = [
     Lesson {
         title: "One map",
-        text: "A shadow map is a depth picture seen from the light: a place is in shadow where the map holds something nearer to the light. The chequer shows the texels of one map over the whole view. Far away they are finer than pixels, and close to the eye each covers many.",
+        text: "A shadow map is a depth buffer drawn from the light: a point is in shadow where the map holds something nearer to the light. The chequer shows the texels of one map over the whole view. Far away they are finer than pixels, and close to the eye each covers many.",
         link: "?world=knights&set=splits=1&show=texels",
     },
     Lesson {
@@ -27,7 +27,7 @@ pub const LESSONS: [Lesson; 8] = [
     },
     Lesson {
         title: "Where to cut: λ",
-        text: "The practical scheme mixes uniform cuts (λ = 0, left) with logarithmic ones (λ = 1, right). Orange places have texels that are larger than pixels, blue ones have texels that are smaller. Uniform cuts waste the near, logarithmic ones the far; λ = 0.8 is the default.",
+        text: "The practical scheme mixes uniform cuts (λ = 0, left) with logarithmic ones (λ = 1, right). Orange places have texels that are larger than pixels, blue ones have texels that are smaller. Uniform cuts leave texels too large near the eye, logarithmic ones far away; λ = 0.8 is the default.",
         link: "?world=knights&set=lambda=0&right.preset=default&right.set=lambda=1&show=extents",
     },
     Lesson {

@@ -195,10 +195,12 @@ mod tests {
 
     fn moved_light() -> impl Strategy<Value = MovedLight> {
         prop_oneof![
-            point().prop_map(|at| MovedLight { at: Some(at), way: None }),
-            point().prop_map(|way| MovedLight { at: None, way: Some(way + Vec3::splat(2e6)) }),
-            (point(), point())
-                .prop_map(|(at, way)| MovedLight { at: Some(at), way: Some(way - Vec3::splat(2e6)) }),
+            point().prop_map(|at| MovedLight { position: Some(at), direction: None }),
+            point().prop_map(|way| MovedLight { position: None, direction: Some(way + Vec3::splat(2e6)) }),
+            (point(), point()).prop_map(|(at, way)| MovedLight {
+                position: Some(at),
+                direction: Some(way - Vec3::splat(2e6))
+            }),
         ]
     }
 

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use umbrage_scene::{Imported, Step};
 
+use crate::link::one_line;
+
 /// The largest file that is read as a whole, bytes: a page has 4 GiB in all, and a scene needs several times its file.
 const MAX_BYTES: u64 = 512 << 20;
 
@@ -44,9 +46,12 @@ impl Source {
             Self::Named(name) => {
                 umbrage_lab::files::load_world_telling(name, 0, tell).map_err(|why| why.to_string())
             }
-            Self::Address(address) => Err(format!(
-                "`load={address}` is left out: the window reads no addresses; download the file, and open it or drop it here"
-            )),
+            Self::Address(address) => {
+                let address = one_line(address);
+                Err(format!(
+                    "`load={address}` is left out: the window reads no addresses; download the file, and open it or drop it here"
+                ))
+            }
             Self::Bytes { name, bytes } => of_bytes(name, bytes, tell),
         }
     }

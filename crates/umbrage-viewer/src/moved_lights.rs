@@ -15,18 +15,18 @@ pub type MovedLights = BTreeMap<usize, MovedLight>;
 /// What of a light is not as the scene has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MovedLight {
-    /// Its position, world space, metres.
-    pub at: Option<Vec3>,
-    /// The way its light travels, a vector of any length but zero.
-    pub way: Option<Vec3>,
+    /// The light's position, world space, metres; `None` where the scene says it.
+    pub position: Option<Vec3>,
+    /// The direction in which its light travels, of any length but zero; `None` where the scene says it.
+    pub direction: Option<Vec3>,
 }
 
 impl MovedLight {
     /// Returns a light of a scene as it is moved. It stands still from then on.
     pub fn of(&self, light: &Light, pose: &Pose) -> Light {
         let place = light.world_from_light_in(pose);
-        let at = self.at.unwrap_or(place.w_axis.truncate());
-        let rotation = self.way.map_or(place, |way| Light::sun(way, 1.0).world_from_light);
+        let at = self.position.unwrap_or(place.w_axis.truncate());
+        let rotation = self.direction.map_or(place, |direction| Light::sun(direction, 1.0).world_from_light);
         let world_from_light = Mat4 { w_axis: at.extend(1.0), ..rotation };
         Light { world_from_light, motion: Motion::Still, ..light.clone() }
     }
@@ -90,11 +90,11 @@ impl Handle {
     /// Returns the move of a light whose handle for a part was dragged to a point.
     pub fn moved(&self, light: &Light, part: Part, before: MovedLight, point: Vec3) -> MovedLight {
         match (part, self.middle) {
-            (Part::At, _) => MovedLight { at: Some(point), ..before },
+            (Part::At, _) => MovedLight { position: Some(point), ..before },
             (Part::Way, middle) => {
                 let outward = point - middle.unwrap_or(light.position());
                 let way = if light.kind == LightKind::Directional { -outward } else { outward };
-                MovedLight { way: way.try_normalize().or(before.way), ..before }
+                MovedLight { direction: way.try_normalize().or(before.direction), ..before }
             }
         }
     }
@@ -195,7 +195,7 @@ mod tests {
     #[test]
     fn what_is_not_moved_of_a_light_stays() {
         let spot = Light::spot("spot", Vec3::new(-2.0, 6.0, 1.0), Vec3::ZERO, 0.4, 0.8, 50.0, 100.0);
-        let moved = MovedLight { at: Some(Vec3::ONE), way: None }.of(&spot, &Pose::default());
+        let moved = MovedLight { position: Some(Vec3::ONE), direction: None }.of(&spot, &Pose::default());
         assert!(moved.position() == Vec3::ONE && moved.direction().abs_diff_eq(spot.direction(), 1e-6));
         assert_eq!((moved.intensity, moved.kind), (spot.intensity, spot.kind));
     }

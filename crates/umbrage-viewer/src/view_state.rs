@@ -184,7 +184,7 @@ impl ViewState {
         let shines =
             |light: &&mut Light| is_sun(light) && light.intensity > 0.0 && light.is_visible_in(&pose);
         if let (Some(hour), Some(sun)) = (self.hour, lights.iter_mut().find(shines)) {
-            *sun = MovedLight { at: None, way: Some(sky::sunlight(hour)) }.of(sun, &pose);
+            *sun = MovedLight { position: None, direction: Some(sky::sunlight(hour)) }.of(sun, &pose);
         }
         lights
     }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use clap_complete::Shell;
+use umbrage_interchange::{Stage, Textures};
 
 use super::{ShadowArgs, TimeArgs, WorldArgs};
-use crate::stages::{Stage, Textures};
 
 #[derive(Debug, Args)]
 pub struct PlanArgs {

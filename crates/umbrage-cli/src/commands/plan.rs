@@ -1,13 +1,13 @@
 //! `umbrage plan`: where the camera's depth is cut, and what each view covers.
 
-use umbrage::{Light, LightKind, Projection, ShadowPlan, Warp};
+use umbrage::{Light, LightKind, ShadowPlan};
+use umbrage_interchange::{Stages, min_storage_factor, storage_factor};
 use umbrage_render::Show;
 use umbrage_scene::Scene;
 
 use crate::args::PlanArgs;
 use crate::failure::{Failure, Outcome};
 use crate::plan_json::{About, PlanJson};
-use crate::stages::Stages;
 use crate::{output, settings, world};
 
 pub fn run(args: &PlanArgs) -> Outcome {
@@ -15,7 +15,7 @@ pub fn run(args: &PlanArgs) -> Outcome {
         Some(path) => Ok(output::write_text(path, &json(args)?)?),
         None => {
             let Planned { plan, .. } = planned(args)?;
-            Ok(output::print(&text(&plan, plan.settings().warp))?)
+            Ok(output::print(&text(&plan))?)
         }
     }
 }
@@ -40,39 +40,10 @@ fn planned(args: &PlanArgs) -> Outcome<Planned> {
 /// The plan that is asked for, as JSON.
 pub fn json(args: &PlanArgs) -> Outcome<String> {
     let Planned { scene, picture, plan } = planned(args)?;
-    let about = About {
-        world: &scene.name,
-        triangles: scene.triangles(),
-        origin: scene.origin.to_array(),
-        storage_factor: storage_factor(&plan, plan.settings().warp),
-        min_storage_factor: min_storage_factor(&plan),
-        picture,
-    };
+    let about =
+        About { world: &scene.name, triangles: scene.triangles(), origin: scene.origin.to_array(), picture };
     let stages = Stages::new(plan.settings(), args.textures);
     Ok(output::json(&PlanJson::new(&about, &plan, &stages))?)
-}
-
-/// The storage factor of a plan's splits, for a sun overhead and a picture as high as wide (Lloyd et al. 2006; Zhang et al. 2006, eq. 1).
-fn storage_factor(plan: &ShadowPlan, warp: Warp) -> f64 {
-    umbrage::storage_factor(plan.splits(), warp != Warp::None) / spread(plan)
-}
-
-/// The same at the least, however the view is cut.
-fn min_storage_factor(plan: &ShadowPlan) -> f64 {
-    umbrage::ideal_storage_factor(depths(plan)) / spread(plan)
-}
-
-fn depths(plan: &ShadowPlan) -> std::ops::Range<f64> {
-    let splits = plan.splits();
-    splits[0]..splits[splits.len() - 1]
-}
-
-/// Returns how much wider the view gets a metre of depth; 1 where it does not.
-fn spread(plan: &ShadowPlan) -> f64 {
-    match plan.camera().projection() {
-        Projection::Perspective { fov_y, .. } => 2.0 * (0.5 * f64::from(fov_y)).tan(),
-        Projection::Orthographic { .. } => 1.0,
-    }
 }
 
 /// Split distances in metres: the ends as given, the cuts to a micrometre.
@@ -84,7 +55,7 @@ pub fn splits_text(splits: &[f64]) -> String {
     splits.iter().enumerate().map(text).collect::<Vec<_>>().join(", ")
 }
 
-fn text(plan: &ShadowPlan, warp: Warp) -> String {
+fn text(plan: &ShadowPlan) -> String {
     let mut text = format!("splits {} m\n", splits_text(plan.splits()));
     for view in plan.views() {
         text += &format!(
@@ -97,7 +68,7 @@ fn text(plan: &ShadowPlan, warp: Warp) -> String {
     if plan.lights().iter().any(|light| matches!(light.kind(), LightKind::Directional { .. })) {
         text += &format!(
             "under a sun overhead, {:.0} texels a pixel at worst; the least there is are {:.1}\n",
-            storage_factor(plan, warp),
+            storage_factor(plan),
             min_storage_factor(plan)
         );
     }

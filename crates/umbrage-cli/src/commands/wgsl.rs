@@ -1,12 +1,12 @@
 //! `umbrage wgsl`: a shader's text, for any WGSL compiler.
 
 use clap::ValueEnum as _;
+use umbrage_interchange::{Stage, Stages};
 
 use crate::args::WgslArgs;
 use crate::failure::{Failure, Outcome};
 use crate::output::print;
 use crate::settings;
-use crate::stages::{Stage, Stages};
 
 pub fn run(args: &WgslArgs) -> Outcome {
     Ok(print(&text(args)?)?)
@@ -18,7 +18,7 @@ pub fn text(args: &WgslArgs) -> Outcome<String> {
     let stages = Stages::new(&settings, args.textures);
     stages.text(args.stage, args.group).ok_or_else(|| {
         let has = |stage: &&Stage| stages.text(**stage, 0).is_some();
-        let names: Vec<String> = Stage::value_variants().iter().filter(has).map(name).collect();
+        let names: Vec<String> = Stage::ALL.iter().filter(has).map(name).collect();
         Failure::usage(format!(
             "these settings have no stage `{}`; they have {}",
             name(&args.stage),

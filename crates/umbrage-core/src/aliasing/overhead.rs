@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn an_endless_warp_near_is_a_uniform_map() {
+    fn an_infinite_warp_near_is_a_uniform_map() {
         for at in [1.0, 5.0, 100.0] {
             let wanted = PerspectiveError { across: 100.0 / at, along: 99.0 / at };
             assert_eq!(perspective_error(1.0..100.0, f64::INFINITY, at), wanted);

@@ -14,7 +14,7 @@ fn camera(eye: Vec3, target: Vec3, projection: Projection) -> Camera {
 }
 
 /// 60° high, 4 by 3.
-pub(super) fn pinhole(eye: Vec3, target: Vec3) -> Camera {
+pub(super) fn perspective(eye: Vec3, target: Vec3) -> Camera {
     let fov_y = std::f32::consts::FRAC_PI_3;
     camera(eye, target, Projection::Perspective { fov_y, aspect: 4.0 / 3.0 })
 }
@@ -39,7 +39,7 @@ fn a_view_of_a_plan_knows_the_extent_of_its_texels() {
 
 #[test]
 fn what_has_no_extent_is_none() {
-    let camera = pinhole(Vec3::ZERO, Vec3::NEG_Z);
+    let camera = perspective(Vec3::ZERO, Vec3::NEG_Z);
     let down = light_from_world(DVec3::ZERO, DVec3::NEG_Z, DVec3::NEG_Y);
     let mut behind = down;
     behind.w_axis.w = -1.0;
@@ -67,9 +67,9 @@ fn what_has_no_extent_is_none() {
         ("a map of nothing", DMat4::ZERO, 1024.0, here),
         ("a map of NaN", DMat4::NAN, 1024.0, here),
         ("no texels", down, 0.0, here),
-        ("endless texels", down, f64::INFINITY, here),
+        ("unbounded texels", down, f64::INFINITY, here),
         ("nowhere", down, 1024.0, DVec3::NAN),
-        ("endlessly far", down, 1024.0, DVec3::NEG_Z * f64::MAX),
+        ("infinitely far", down, 1024.0, DVec3::NEG_Z * f64::MAX),
     ] {
         assert_eq!(at(&map, resolution, position, slope), (None, None), "{name}");
     }
@@ -153,7 +153,7 @@ proptest! {
     ) {
         // Against the light no plane is halfway.
         prop_assume!(turned.cross(along).length() > 0.1 && forward.y.abs() < 0.99 && (along + forward).length() > 0.1);
-        let camera = pinhole(Vec3::ZERO, forward.as_vec3());
+        let camera = perspective(Vec3::ZERO, forward.as_vec3());
         // As the camera has it, in f32.
         let forward = camera.forward().as_dvec3();
         let size = DVec3::from(size);
@@ -174,7 +174,7 @@ proptest! {
         entries in prop::collection::vec(any_number(), 16), position in prop::array::uniform3(any_number()),
         normal in prop::array::uniform3(any_number()), resolution in any_number(),
     ) {
-        let camera = pinhole(Vec3::ZERO, Vec3::NEG_Z);
+        let camera = perspective(Vec3::ZERO, Vec3::NEG_Z);
         let map = DMat4::from_cols_slice(&entries);
         let (position, normal) = (DVec3::from(position), DVec3::from(normal));
         let (width, height) = PICTURE;

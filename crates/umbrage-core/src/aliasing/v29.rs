@@ -50,7 +50,7 @@ fn v29_maps() -> [DMat4; 2] {
 
 #[test]
 fn texels_on_the_ground_are_as_large_as_in_v29() {
-    let camera = super::tests::pinhole(Vec3::new(0.0, 10.0, 0.0), Vec3::new(0.0, 9.8, -1.0));
+    let camera = super::tests::perspective(Vec3::new(0.0, 10.0, 0.0), Vec3::new(0.0, 9.8, -1.0));
     // Depth; m, m_min, area; u and v, which points up there.
     let uniform = [
         (15.0, [3.2942, 2.0320, 6.6936], [0.42983078, 0.098906426]),

@@ -89,7 +89,7 @@ proptest! {
         for volume in volumes.into_iter().chain([ConvexVolume::default(), ConvexVolume::empty()]) {
             prop_assert_eq!(touching(&bounds, &volume), touching_one_by_one(&bounds, &volume));
         }
-        let can_be_planned = bounds.objects().iter().all(|aabb| !aabb.is_endless());
+        let can_be_planned = bounds.objects().iter().all(|aabb| !aabb.is_unbounded());
         prop_assert_eq!(bounds.can_be_planned(), can_be_planned);
     }
 

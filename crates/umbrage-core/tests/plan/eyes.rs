@@ -119,18 +119,19 @@ proptest! {
 fn a_camera_without_end_has_the_plan_of_one_with_an_end_behind_the_shadows() {
     let sides = [-0.8, 0.8, -0.5, 0.5];
     let eye = looking(Vec3::new(30.0, 10.0, 50.0), Vec3::ZERO);
-    let [endless, ends] = [f32::INFINITY, 600.0].map(|far| Camera::with_sides(eye, sides, 0.5, far).unwrap());
+    let [unbounded, ends] =
+        [f32::INFINITY, 600.0].map(|far| Camera::with_sides(eye, sides, 0.5, far).unwrap());
     let sun = [Light::directional(Vec3::new(0.4, -0.8, 0.3)).unwrap()];
     for settings in [
         Settings { distance: Some(120.0), ..Settings::default() },
         Settings { distance: Some(120.0), fit: Fit::Stable, ..Settings::default() },
     ] {
-        let [a, b] = [endless, ends].map(|camera| plan(&camera, &sun, &world(), &settings).unwrap());
+        let [a, b] = [unbounded, ends].map(|camera| plan(&camera, &sun, &world(), &settings).unwrap());
         assert_eq!(a.views(), b.views(), "{:?}", settings.fit);
     }
     // Without a distance shadows end where the world does.
     let bounds = Bounds::of_world(Vec3::splat(-40.0), Vec3::splat(40.0));
-    let all = plan(&endless, &sun, &bounds, &Settings::default()).unwrap();
+    let all = plan(&unbounded, &sun, &bounds, &Settings::default()).unwrap();
     let end = *all.splits().last().unwrap();
     assert!((90.0..140.0).contains(&end), "shadows end at {end} m");
 }

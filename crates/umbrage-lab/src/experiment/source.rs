@@ -8,8 +8,8 @@ use toml::de::{DeTable, DeValue};
 
 use super::Experiment;
 use crate::LabError;
-use crate::lines::line_of;
 use crate::settings::{fault, one_line};
+use umbrage_interchange::line_of;
 
 /// An experiment's file, parsed as TOML.
 pub struct Source<'a> {

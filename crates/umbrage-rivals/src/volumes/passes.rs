@@ -28,7 +28,7 @@ pub(crate) struct Passes {
     draw: wgpu::Buffer,
     face: Step,
     side: Step,
-    /// What draws volumes before a pinhole, and before parallel rays.
+    /// What draws volumes before a perspective camera, and before parallel rays.
     volumes: [Drawn; 2],
 }
 

@@ -240,7 +240,7 @@ mod tests {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.2, 0.2, -70.0]];
         assert_eq!(deviation(&positions, &positions, &[[0, 1, 2]], 0.0), Some(70.0));
         assert_eq!(deviation(&positions, &positions, &[[0, 1, 2]], 80.0), Some(80.0), "what is known counts");
-        let endless = [[0.0; 3], [f32::NAN, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]];
-        assert_eq!(deviation(&endless, &endless, &[[0, 1, 2]], 0.0), None);
+        let unbounded = [[0.0; 3], [f32::NAN, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]];
+        assert_eq!(deviation(&unbounded, &unbounded, &[[0, 1, 2]], 0.0), None);
     }
 }

@@ -131,7 +131,7 @@ fn assert_seen_well(scene: &Scene) {
     for camera in &scene.cameras {
         let height = camera.eye().y - height_below(scene, camera.eye());
         assert!(height > 0.5, "{}: camera {} is {height} m above the ground", scene.name, camera.name);
-        assert!(matches!(camera.lens, Lens::Perspective { .. }), "{} is a pinhole", camera.name);
+        assert!(matches!(camera.lens, Lens::Perspective { .. }), "{} has perspective", camera.name);
     }
     let steps = 4 * (scene.path.keys.len() - 1);
     for t in (0..=steps).map(|i| i as f32 / steps as f32) {

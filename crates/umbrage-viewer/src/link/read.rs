@@ -150,11 +150,12 @@ fn move_light(lights: &mut MovedLights, key: &str, value: &str) -> Result<(), St
         key.strip_prefix("light.").and_then(|rest| rest.split_once('.')).ok_or_else(wanted)?;
     let number: usize = number.parse().map_err(|_| wanted())?;
     match part {
-        "position" => lights.entry(number).or_default().at = Some(vec3(value)?),
+        "position" => lights.entry(number).or_default().position = Some(vec3(value)?),
         "direction" => {
             let way = vec3(value)?;
             let way = Some(way).filter(|way| way.try_normalize().is_some());
-            lights.entry(number).or_default().way = Some(way.ok_or("wanted a direction, as 0.3,-1,0.2")?);
+            lights.entry(number).or_default().direction =
+                Some(way.ok_or("wanted a direction, as 0.3,-1,0.2")?);
         }
         _ => return Err(wanted()),
     }

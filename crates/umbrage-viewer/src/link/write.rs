@@ -64,7 +64,7 @@ fn lights((number, moved): (&usize, &MovedLight)) -> Vec<(Cow<'static, str>, Str
     let pair = |part: &str, value: Option<Vec3>| {
         value.map(|value| (format!("light.{number}.{part}").into(), vec3(value)))
     };
-    pair("position", moved.at).into_iter().chain(pair("direction", moved.way)).collect()
+    pair("position", moved.position).into_iter().chain(pair("direction", moved.direction)).collect()
 }
 
 fn lines(PlanLines { slices, maps, casters }: PlanLines) -> String {

@@ -96,7 +96,7 @@ fn sight(scene: &Scene, pieces: &[Piece], camera: &Camera) -> Sight {
 
 /// The place behind a pixel, just above the surface, and the normal there that looks at the camera.
 fn seen(pieces: &[Piece], camera: &Camera, pixel: [u16; 2]) -> Option<(Vec3, Vec3)> {
-    let Lens::Perspective { fov_y } = camera.lens else { panic!("{} is a pinhole", camera.name) };
+    let Lens::Perspective { fov_y } = camera.lens else { panic!("{} has perspective", camera.name) };
     let half = (fov_y * 0.5).tan();
     let [x, y] = [0, 1].map(|i| (f32::from(pixel[i]) + 0.5) / f32::from(GRID[i]) * 2.0 - 1.0);
     let ray = Vec3::new(x * half * 16.0 / 9.0, -y * half, -1.0) * camera.far;

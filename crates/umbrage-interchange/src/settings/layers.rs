@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
-use umbrage::Settings;
+use umbrage_core::Settings;
 
 use super::{WrongSettings, checked, from_words, one_line, overlay, preset};
 use crate::lines::line_of;
@@ -111,7 +111,7 @@ fn find_keys(text: &str, prefix: &str, place: &Spanned<DeValue<'_>>, lines: &mut
 
 #[cfg(test)]
 mod tests {
-    use umbrage::Filter;
+    use umbrage_core::Filter;
 
     use super::*;
 

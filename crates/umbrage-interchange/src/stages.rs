@@ -1,11 +1,11 @@
 //! The shader texts that Umbrage has for some settings, each by a name, and what each binds.
 
-use clap::ValueEnum;
-use umbrage::Settings;
-use umbrage::shaders::{self, Binding, ShaderKey, Step, TextureSupport};
+use umbrage_core::Settings;
+use umbrage_wgsl::{self as shaders, Binding, ShaderKey, Slot, Step, TextureSupport};
 
 /// A shader text. Texts of steps are whole shaders, whose entry point is called as the stage is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Stage {
     /// Goes in front of a shader that asks for visibility: `umbrage_visibility(world_position, world_normal, pixel)`
@@ -37,12 +37,34 @@ pub enum Stage {
 }
 
 /// What a device can do that runs the texts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
 pub enum Textures {
     /// What every WebGPU has
+    #[default]
     Webgpu,
     /// Also 32-bit textures that samplers weigh, 16-bit normalised ones, and writing of two 16-bit floats
     All,
+}
+
+impl Stage {
+    /// All stages, in the order of `umbrage wgsl --help`.
+    pub const ALL: [Self; 13] = [
+        Self::Receiver,
+        Self::Caster,
+        Self::Contact,
+        Self::Map,
+        Self::Clear,
+        Self::Peel,
+        Self::Join,
+        Self::Convert,
+        Self::Across,
+        Self::Down,
+        Self::Halve,
+        Self::Rows,
+        Self::Columns,
+    ];
 }
 
 impl Textures {
@@ -55,23 +77,26 @@ impl Textures {
 }
 
 /// All texts of some settings.
+#[derive(Debug)]
 pub struct Stages<'a> {
     settings: &'a Settings,
     key: ShaderKey,
 }
 
 impl<'a> Stages<'a> {
+    /// Returns the texts of settings for devices of a kind.
     pub fn new(settings: &'a Settings, textures: Textures) -> Self {
         Self { settings, key: ShaderKey::new(settings, textures.support()) }
     }
 
-    /// A stage's text; its bindings lie in group `group` where it goes in front of another's, and otherwise in group 0. `None`
-    /// where the settings have no such stage.
-    pub fn text(&self, stage: Stage, group: u32) -> Option<String> {
+    /// Returns a stage's text; its bindings lie at `slot` where it goes in front of another's, and otherwise in group 0. `None` where the
+    /// settings have no such stage.
+    pub fn text(&self, stage: Stage, slot: impl Into<Slot>) -> Option<String> {
+        let slot = slot.into();
         match stage {
-            Stage::Receiver => Some(shaders::receiver(&self.key, group)),
-            Stage::Caster => Some(shaders::caster(group)),
-            Stage::Contact => self.settings.contact.as_ref().map(|contact| shaders::contact(contact, group)),
+            Stage::Receiver => Some(shaders::receiver(&self.key, slot)),
+            Stage::Caster => Some(shaders::caster(slot)),
+            Stage::Contact => self.settings.contact.as_ref().map(|contact| shaders::contact(contact, slot)),
             Stage::Map => Some(shaders::map()),
             Stage::Clear => Some(shaders::clear()),
             Stage::Peel => self.join().map(|_| shaders::peel()),
@@ -82,7 +107,7 @@ impl<'a> Stages<'a> {
         }
     }
 
-    /// What a stage binds; `None` where the settings have no such stage.
+    /// Returns what a stage binds; `None` where the settings have no such stage.
     pub fn bindings(&self, stage: Stage) -> Option<Vec<Binding>> {
         match stage {
             Stage::Receiver => Some(shaders::receiver_bindings(&self.key)),

@@ -5,14 +5,13 @@ mod layers;
 pub use layers::Layers;
 
 use toml::{Table, Value};
-use umbrage::{Filter, PRESETS, Preset, Settings, SettingsError, Shade, schema};
+use umbrage_core::{Filter, PRESETS, Preset, Settings, SettingsError, Shade, schema};
 
 /// No setting lies deeper than `filter.size`; a little more, so that the error can say which key it does not know.
 const DEEPEST: usize = 4;
 
 /// A fault in settings, in one line that names the key.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum WrongSettings {
     /// No preset has that name.
     #[error("no preset is called `{0}`; there are {list}", list = presets())]
@@ -111,6 +110,29 @@ pub fn from_key(key: &str, mut value: Value) -> Result<Table, WrongSettings> {
     Ok(Table::from_iter([((*first).to_owned(), value)]))
 }
 
+/// Puts values under their keys into one table, whatever their order. A key and a table that holds it may both be there.
+///
+/// # Errors
+/// As [`from_key`].
+pub fn from_keys(values: impl IntoIterator<Item = (String, Value)>) -> Result<Table, WrongSettings> {
+    let mut all = Table::new();
+    for (key, value) in values {
+        join(&mut all, from_key(&key, value)?);
+    }
+    Ok(all)
+}
+
+fn join(table: &mut Table, more: Table) {
+    for (key, value) in more {
+        match (table.get_mut(&key), value) {
+            (Some(Value::Table(old)), Value::Table(new)) => join(old, new),
+            (_, value) => {
+                table.insert(key, value);
+            }
+        }
+    }
+}
+
 /// Lays `over` onto `table`. Tables are merged, but one of another `kind` is laid onto what that kind has by default.
 pub fn overlay(table: &mut Table, over: Table) {
     for (key, value) in over {
@@ -185,8 +207,8 @@ pub fn asked(name: &str, words: &[impl AsRef<str>]) -> Result<Settings, WrongSet
     words.iter().try_fold(layers, |layers, words| layers.words(words.as_ref()))?.settings()
 }
 
-/// The key at fault, levels parted by dots, and what is wrong with it.
-pub(crate) fn fault(mut error: toml::de::Error) -> (String, String) {
+/// Returns the key at fault in a TOML error, levels parted by dots, and what is wrong with it.
+pub fn fault(mut error: toml::de::Error) -> (String, String) {
     // Without its input, the error's last line is "in `a.b`": the only way to ask where it was.
     error.set_input(None);
     let wrong = error.message().to_owned();
@@ -199,14 +221,14 @@ pub(crate) fn fault(mut error: toml::de::Error) -> (String, String) {
     (names.join("."), one_line(wrong))
 }
 
-/// A text without line breaks and other control characters.
-pub(crate) fn one_line(text: impl ToString) -> String {
+/// Returns a text without line breaks and other control characters.
+pub fn one_line(text: impl ToString) -> String {
     text.to_string().trim_end().replace(|c: char| c.is_control(), " ")
 }
 
 #[cfg(test)]
 mod tests {
-    use umbrage::{Filter, Fit};
+    use umbrage_core::{Filter, Fit};
 
     use super::*;
 
@@ -224,6 +246,17 @@ mod tests {
     fn another_kind_of_filter_forgets_the_old_ones_numbers() {
         let settings = asked("default", &["filter.kind=pcf", "filter.size=7", "filter.kind=hard"]).unwrap();
         assert_eq!(settings.filter, Filter::Hard {});
+    }
+
+    #[test]
+    fn keys_together_say_the_same_in_any_order() {
+        let size = ("filter.size".to_owned(), Value::Integer(7));
+        let kind = ("filter.kind".to_owned(), Value::String("pcf".to_owned()));
+        for keys in [[size.clone(), kind.clone()], [kind, size]] {
+            let mut table = preset("default").unwrap();
+            overlay(&mut table, from_keys(keys).unwrap());
+            assert_eq!(checked(table).unwrap().filter, Filter::Pcf { size: 7 });
+        }
     }
 
     #[test]
