@@ -119,12 +119,7 @@ pub const EXACT: Document = Document {
             enlarged: &["mining-terrain", "bias-court"],
             plots: &[],
         },
-        Chapter {
-            name: "exact-shimmer",
-            found: include_str!("exact/shimmer.md"),
-            enlarged: &[],
-            plots: &[],
-        },
+        Chapter { name: "exact-shimmer", found: include_str!("exact/shimmer.md"), enlarged: &[], plots: &[] },
     ],
 };
 

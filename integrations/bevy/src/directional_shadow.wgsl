@@ -3,6 +3,9 @@
 //
 // A receiver asks the finest cascade that holds the filter's whole footprint, and compares each texel with the depth that its
 // own plane has there. Depth is reversed: 1 near the light, 0 far from it.
+//
+// In front of it stands `const UMBRAGE_BLENDS: bool`, whether cascades fade into each other: a software rasteriser, and a GPU without
+// branches that are uniform, would otherwise read two maps where one is asked for.
 
 /// How far from a receiver the filter ends, texels.
 const UMBRAGE_REACH: f32 = 2.0;
@@ -150,9 +153,11 @@ fn fetch_directional_shadow(
     return stock_directional_shadow(light_id, frag_position, surface_normal, view_z, frag_coord_xy);
 #else
     let light = &view_bindings::lights.directional_lights[light_id];
+#ifdef PCSS_SAMPLERS_AVAILABLE
     if ((*light).soft_shadow_size > 0.0) {
         return stock_directional_shadow(light_id, frag_position, surface_normal, view_z, frag_coord_xy);
     }
+#endif
     let position = frag_position.xyz;
     let normal = umbrage_normal(position, surface_normal);
     let cosine = dot(normal, (*light).direction_to_light);
@@ -169,7 +174,7 @@ fn fetch_directional_shadow(
     }
     let visible = umbrage_read(light_id, cascade, position, normal, cosine);
     let blend = (*light).cascades_overlap_proportion;
-    if (blend <= 0.0) {
+    if (!UMBRAGE_BLENDS || blend <= 0.0) {
         return visible;
     }
     // The rim of a map fades into the next that holds the receiver.

@@ -45,7 +45,7 @@ pub struct UmbrageShadows {
     /// while the camera moves. [`Fit::Sample`] counts as [`Fit::Scene`].
     pub fit: Fit,
     /// The share of a map's half width over which a cascade fades into the next, from 0 to 1. The default is 0: where maps meet,
-    /// edges change in a line, and only one map is read.
+    /// edges change in a line, and only one map is read. It holds for all lights; one that is not 0 costs a second lookup.
     pub blend: f32,
 }
 
@@ -75,7 +75,7 @@ impl Plugin for UmbragePlugin {
                 .after(SimulationLightSystems::UpdateDirectionalLightCascades)
                 .before(SimulationLightSystems::UpdateLightFrusta),
         );
-        app.add_systems(Update, reading::replace.run_if(resource_exists::<reading::Waiting>));
+        app.add_systems(Update, reading::replace.run_if(resource_exists::<reading::Reading>));
     }
 
     fn finish(&self, app: &mut App) {
