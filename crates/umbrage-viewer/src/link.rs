@@ -20,7 +20,6 @@ use crate::load::Source;
 use crate::moved_lights::MovedLights;
 use crate::view_state::PictureMode;
 
-#[cfg(target_arch = "wasm32")]
 pub(crate) use read::one_line;
 
 /// What a link says.

@@ -119,25 +119,16 @@ impl Planner {
         let Frame { camera, lights, picture, origin } = checked(read("frame", frame)?)?;
         let camera = Camera::try_from(&camera).map_err(js_error)?;
         let lights: Result<Vec<Light>, _> = lights.iter().map(Light::try_from).collect();
-        let (bounds, settings) = (&self.bounds, &self.settings);
-        let lights = lights.map_err(js_error)?;
-        match &mut self.plan {
-            Some(plan) => plan.replan(&camera, &lights, bounds, settings).map_err(js_error)?,
-            None => {
-                self.plan = Some(umbrage_core::plan(&camera, &lights, bounds, settings).map_err(js_error)?)
-            }
-        }
-        let plan = self.planned()?;
+        self.replan(&camera, &lights.map_err(js_error)?)?;
+        let plan = self.plan.as_ref().ok_or_else(nothing_planned)?;
         let object = written(&PlanData::new(plan, picture))?;
         let layout = plan.layout();
         let map_size = [layout.width, layout.height];
         let surroundings =
             Surroundings { map_size, picture_size: picture, origin: DVec3::from_array(origin) };
-        let mut bytes = std::mem::take(&mut self.frame);
-        let frame = Uint8Array::from(bytes.write(self.planned()?, &self.settings, &surroundings));
-        self.frame = bytes;
+        let bytes = Uint8Array::from(self.frame.write(plan, &self.settings, &surroundings));
         // An object that was just made takes any key.
-        let _ = Reflect::set(&object, &"frame".into(), &frame);
+        let _ = Reflect::set(&object, &"frame".into(), &bytes);
         Ok(object)
     }
 
@@ -146,7 +137,7 @@ impl Planner {
     /// # Errors
     /// When nothing was planned, or the plan has no such view.
     pub fn casters(&self, view: u32) -> Result<Vec<u32>, JsError> {
-        let views = self.planned()?.views();
+        let views = self.plan.as_ref().ok_or_else(nothing_planned)?.views();
         let view: &ShadowView = views
             .get(view as usize)
             .ok_or_else(|| js_error(format!("there is no view {view}: the plan has {}", views.len())))?;
@@ -154,10 +145,23 @@ impl Planner {
         self.bounds.touching(&view.casters, |number| found.push(number));
         Ok(found)
     }
+}
 
-    fn planned(&self) -> Result<&ShadowPlan, JsError> {
-        self.plan.as_ref().ok_or_else(|| js_error("nothing is planned yet: call plan(…) first"))
+impl Planner {
+    fn replan(&mut self, camera: &Camera, lights: &[Light]) -> Result<(), JsError> {
+        let Self { settings, bounds, plan, .. } = self;
+        match plan {
+            Some(plan) => plan.replan(camera, lights, bounds, settings).map_err(js_error),
+            None => {
+                *plan = Some(umbrage_core::plan(camera, lights, bounds, settings).map_err(js_error)?);
+                Ok(())
+            }
+        }
     }
+}
+
+fn nothing_planned() -> JsError {
+    js_error("nothing is planned yet: call plan(…) first")
 }
 
 fn checked(frame: Frame) -> Result<Frame, JsError> {
