@@ -44,6 +44,22 @@ fn cascades_keep_their_number_and_end_and_follow_what_is_asked_anew() {
 }
 
 #[test]
+fn a_fade_that_is_asked_for_while_the_program_runs_is_that_of_one_from_the_start() {
+    let fades = UmbrageShadows { blend: 0.5, ..default() };
+    let mut drawn = Drawn::new(Some(UmbragePlugin::default()));
+    let before = drawn.visibility();
+    drawn.choose(fades.clone());
+    let faded = drawn.visibility();
+    assert!(faded != before, "maps fade into each other");
+    assert!(
+        faded == Drawn::new(Some(UmbragePlugin { shadows: fades })).visibility(),
+        "as they do from the start"
+    );
+    drawn.choose(UmbrageShadows::default());
+    assert!(drawn.visibility() == before, "and no more");
+}
+
+#[test]
 fn a_marked_light_keeps_bevys_cascades_and_is_read_all_the_same() {
     let mut drawn = Drawn::new(Some(UmbragePlugin::default()));
     drawn.mark(StockCascades);

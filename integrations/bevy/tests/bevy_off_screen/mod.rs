@@ -17,7 +17,7 @@ use bevy::render::render_resource::{PipelineCache, TextureFormat, TextureUsages}
 use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::render::{RenderApp, RenderPlugin};
 use bevy::window::ExitCondition;
-use bevy_umbrage::UmbragePlugin;
+use bevy_umbrage::{UmbragePlugin, UmbrageShadows};
 
 use crate::boxes::{FAR, SIZE, SUN, boxes, camera, fov};
 
@@ -91,6 +91,12 @@ impl Drawn {
     /// Gives the sun other cascades.
     pub fn edit(&mut self, config: CascadeShadowConfig) {
         self.mark(config);
+        self.settle();
+    }
+
+    /// Changes what the plug-in is to do.
+    pub fn choose(&mut self, shadows: UmbrageShadows) {
+        self.app.insert_resource(shadows);
         self.settle();
     }
 
