@@ -195,6 +195,14 @@ impl Camera {
         near: f32,
         far: f32,
     ) -> Result<Self, CameraError> {}
+    pub fn facing(
+        eye: Vec3,
+        forward: Vec3,
+        up: Vec3,
+        projection: Projection,
+        near: f32,
+        far: f32,
+    ) -> Result<Self, CameraError> {}
     pub fn world_from_view(&self) -> Mat4 {}
     pub fn view_from_world(&self) -> Mat4 {}
     #[must_use]
