@@ -163,6 +163,17 @@ export class Page {
     }, [name, args]);
   }
 
+  /** Waits until what the viewer publishes of itself (`publish` in web.rs) fulfils a condition, and returns it. */
+  async until(what, holds, timeout) {
+    const end = Date.now() + timeout;
+    for (;;) {
+      const now = await this.global("umbrage");
+      if (now && holds(now)) return now;
+      if (Date.now() > end) throw new Error(`${what} did not come: ${JSON.stringify({ ...now, widgets: undefined })}`);
+      await this.wait(100);
+    }
+  }
+
   /** Presses keys one after the other, as Playwright names them: "w", "Escape", "Control+c". */
   async press(...keys) {
     for (const key of keys) await this.tab.keyboard.press(key);

@@ -60,16 +60,7 @@ function check(holds, what) {
 
 const state = () => page.global("umbrage");
 
-/** Waits until the published state (`publish` in web.rs) fulfils a condition. */
-async function until(what, holds, timeout = 180_000) {
-  const end = Date.now() + timeout;
-  for (;;) {
-    const now = await state();
-    if (now && holds(now)) return now;
-    if (Date.now() > end) throw new Error(`${what} did not come: ${JSON.stringify({ ...now, widgets: undefined })}`);
-    await page.wait(100);
-  }
-}
+const until = (what, holds, timeout = 180_000) => page.until(what, holds, timeout);
 
 /** Opens the page anew with a query as it stands, and waits until a world is there and at rest. */
 async function open(query, world) {

@@ -43,15 +43,7 @@ await page.tab.context().addInitScript(() => {
   };
 });
 
-async function until(what, holds, timeout = 300_000) {
-  const end = Date.now() + timeout;
-  for (;;) {
-    const now = await page.global("umbrage");
-    if (now && holds(now)) return now;
-    if (Date.now() > end) throw new Error(`${what} did not come: ${JSON.stringify({ ...now, widgets: undefined })}`);
-    await page.wait(100);
-  }
-}
+const until = (what, holds, timeout = 300_000) => page.until(what, holds, timeout);
 
 /** Opens a world with some settings; `truth` says whether pixels are compared with rays traced on the processor. */
 async function open(world, settings, truth) {

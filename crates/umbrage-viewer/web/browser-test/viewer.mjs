@@ -28,16 +28,7 @@ function check(holds, what) {
 /** The state that the page publishes (`publish` in web.rs). */
 const state = () => page.global("umbrage");
 
-/** Waits until the published state fulfils a condition. */
-async function until(what, holds, timeout = 120_000) {
-  const end = Date.now() + timeout;
-  for (;;) {
-    const now = await state();
-    if (now && holds(now)) return now;
-    if (Date.now() > end) throw new Error(`${what} did not come; the page publishes ${JSON.stringify({ ...now, widgets: undefined })}`);
-    await page.wait(100);
-  }
-}
+const until = (what, holds, timeout = 120_000) => page.until(what, holds, timeout);
 
 async function widget(name) {
   const found = (await until(`the widget ${name}`, (now) => now.widgets[name], 10_000)).widgets[name];
