@@ -236,24 +236,24 @@ impl Filter {
         self.ask(|technique| technique.light_size())
     }
 
-    /// How far a lookup may reach from its centre, texels: a nearest lookup half a texel, a bilinear one a whole.
+    /// Returns how far a lookup may reach from its centre, texels: a nearest lookup half a texel, a bilinear one a whole.
     pub fn reach_texels(&self) -> f32 {
         self.ask(|technique| technique.reach_texels())
     }
 
-    /// How much of that an offset along the normal must cover in a view whose texels have this side in metres, texels.
+    /// Returns how much of that reach an offset along the normal must cover, texels, in a view whose texels have this side in metres.
     /// Penumbrae begin at nothing; moments know the slope of what they hold.
     pub fn offset_reach_texels(&self, texel_metres: f32) -> f32 {
         self.ask(|technique| technique.offset_reach_texels(texel_metres))
     }
 
-    /// How far from a receiver its plane is followed, texels; 0 where it is not.
+    /// Returns how far from a receiver its plane is followed, texels; 0 where it is not.
     pub fn plane_reach_texels(&self) -> f32 {
         self.ask(|technique| technique.plane_reach_texels())
     }
 
-    /// How far toward the light, or away from it, the planes of most receivers lie from them within a lookup's reach, texels:
-    /// maps have so much room before their receivers, and casters so far behind them are drawn. What little light grazes
+    /// Returns how far toward the light, or away from it, the planes of most receivers lie from them within a lookup's reach,
+    /// texels: maps have so much room before their receivers, and casters so far behind them are drawn. What little light grazes
     /// planes that are steeper, up to [`STEEPEST_PLANE`](crate::STEEPEST_PLANE), is compared with what there is.
     pub(crate) fn plane_depth_texels(&self) -> f32 {
         /// 88.6° where a lookup stays near, and 83° where it reaches far.
@@ -271,7 +271,7 @@ impl Filter {
         reaches.into_iter().chain(self.ask(|technique| technique.numbers())).collect()
     }
 
-    /// How much light the filter lets through at a place of a map, from 0 to 1.
+    /// Returns how much light the filter lets through at a place of a map, from 0 to 1.
     pub(crate) fn visibility(&self, reader: &Reader<'_>, query: &Query) -> f32 {
         self.ask(|technique| technique.visibility(reader, query))
     }

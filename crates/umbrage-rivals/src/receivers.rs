@@ -17,7 +17,7 @@ pub(crate) struct Receivers {
 
 impl Receivers {
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self, RenderError> {
-        // What casts no shadow is not simplified either.
+        // What casts no shadow gets no levels of detail either.
         let mut scene = scene.clone();
         scene.instances.iter_mut().for_each(|instance| instance.casts = false);
         let none = Settings { splits: 1, resolution: 16, filter: Filter::Hard {}, ..Settings::default() };

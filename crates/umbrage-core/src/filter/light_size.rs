@@ -1,4 +1,4 @@
-//! How large are lights, where a filter makes penumbrae?
+//! The size of lights, where a filter makes penumbrae.
 
 use crate::error::SettingsError;
 use crate::schema::cost::Cost;

@@ -62,7 +62,7 @@ impl Disc {
         poisson(self.taps as usize, self.centred).collect()
     }
 
-    /// How far the farthest point lies from the receiver, in radii: the tutorial's own table leaves its disc.
+    /// Returns how far the farthest point lies from the receiver, in radii: the tutorial's own table leaves its disc.
     pub fn farthest(&self) -> f32 {
         if self.centred { 1.0 } else { 1.25 }
     }

@@ -5,7 +5,7 @@ use glam::Vec2;
 use crate::filter::shader::ShaderNumber;
 use crate::lookup::reader::Reader;
 
-/// How far a kernel of so many bilinear lookups a side, one texel apart, reaches from its centre, texels.
+/// Returns how far a kernel of so many bilinear lookups a side, one texel apart, reaches from its centre, texels.
 pub(super) fn reach_texels(size: u32) -> f32 {
     0.5 * size as f32 + 0.5
 }
